@@ -1,0 +1,18 @@
+# Every library that we stand on; `scripts/bootstrap` installs their Debian packages.
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(OpenEXR 3 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(embree 4 QUIET)
+if(embree_FOUND)
+  set(GP_EMBREE_VERSION 4)
+else()
+  find_package(embree 3.13 REQUIRED)
+  set(GP_EMBREE_VERSION 3)
+endif()
+# Header-only packages without a CMake file of their own.
+find_path(GP_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
+find_path(GP_TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
+find_path(GP_XXHASH_INCLUDE xxhash.h REQUIRED)

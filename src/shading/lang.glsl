@@ -1,0 +1,6 @@
+// The GLSL side of the shading language (the C++ side is lang.h). Included first by every shader.
+#ifndef GP_LANG_GLSL
+#define GP_LANG_GLSL
+#define IN(T) in T
+#define INOUT(T) inout T
+#endif

@@ -1,0 +1,26 @@
+// The C++ side of the shading language (the GLSL side is lang.glsl): what makes a file in the
+// common subset compile as C++20. ARCHITECTURE.md, "Shading is written once", has the rules.
+//
+// Every translation unit gets the functions with internal linkage, through an unnamed namespace:
+// the same file is compiled for several instruction sets, and a linker must never merge the copies.
+#pragma once
+
+#ifdef GP_ISA_NAMESPACE
+#define glm GP_ISA_NAMESPACE  // glm's own inline functions must not be merged across them either
+#endif
+#define GLM_FORCE_INLINE
+#include <glm/glm.hpp>
+
+// A parameter that a function reads but does not copy, and the one kind that it may change.
+#define IN(T) const T&
+#define INOUT(T) T&
+
+// Included as  namespace gp::shading { namespace { using namespace glm;  …files…  } }
+// by shading/shading.h; unused functions are the normal case.
+#define GP_SHADING_BEGIN                                   \
+    _Pragma("GCC diagnostic push")                         \
+    _Pragma("GCC diagnostic ignored \"-Wunused-function\"") \
+    namespace gp::shading { namespace { using namespace glm;
+#define GP_SHADING_END \
+    } }                \
+    _Pragma("GCC diagnostic pop")
