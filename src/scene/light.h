@@ -1,0 +1,41 @@
+// Lights that are not triangles. Emissive triangles are lights by themselves.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "scene/texture.h"
+
+namespace gp {
+
+enum class LightKind : uint8_t { directional, sphere, spot, rectangle };
+
+struct Light {
+    uint64_t id = 0;
+    std::string name;
+    LightKind kind = LightKind::directional;
+    // directional: perpendicular irradiance, W/m^2; sphere, spot: radiant intensity, W/sr;
+    // rectangle: radiance, W/(m^2 sr).
+    glm::vec3 emission{1};
+    glm::vec3 position{0};
+    glm::vec3 direction{0, 0, -1};  // of the light's travel; unit length
+    float radius = 0;               // sphere, spot: metres; 0 = a point
+    float angularRadius = 0;        // directional: radians; 0 = parallel rays
+    float cosInner = 1, cosOuter = 0.7071068f;  // spot
+    glm::vec3 edgeU{1, 0, 0}, edgeV{0, 1, 0};   // rectangle: full edges from the corner `position`;
+                                                // light leaves on the side of cross(edgeU, edgeV)
+    bool twoSided = false;          // rectangle
+    bool visible = true;            // camera rays see spheres and rectangles
+};
+
+// Light from infinitely far in every direction. Latitude-longitude, shading/light/environment.glsl.
+struct Environment {
+    std::shared_ptr<const Image> image;  // rgba32f, radiance in W/(m^2 sr); null: constant `color`
+    glm::vec3 color{0};                  // multiplies the image; alone: a uniform surrounding
+    float rotation = 0;                  // radians about world up, counter-clockwise seen from above
+};
+
+}  // namespace gp

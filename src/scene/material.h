@@ -1,0 +1,70 @@
+// The material of a surface: glTF 2.0 metallic-roughness and its Khronos extensions, defaults
+// included. The multipliers below are applied to the textures' values, channel by channel.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "scene/texture.h"
+
+namespace gp {
+
+enum class AlphaMode : uint8_t { opaque, mask, blend };
+
+struct Material {
+    std::string name;
+
+    glm::vec4 baseColor{1};            // linear RGB and alpha
+    TextureUse baseColorTexture;       // rgba
+    float metallic = 0;
+    float roughness = 1;
+    TextureUse metallicRoughnessTexture;  // g: roughness, b: metallic
+    TextureUse normalTexture;             // tangent space, y up (OpenGL)
+    float normalScale = 1;
+    glm::vec3 emission{0};             // radiance, W/(m^2 sr), strength included
+    TextureUse emissionTexture;        // rgb
+
+    AlphaMode alphaMode = AlphaMode::opaque;
+    float alphaCutoff = 0.5f;
+    bool doubleSided = false;          // single-sided surfaces are seen from both sides in a path
+                                       // tracer too; single-sided *emission* leaves one side only
+    bool unlit = false;                // KHR_materials_unlit: shows base colour as it is
+
+    float ior = 1.5f;
+    float specular = 1;                // KHR_materials_specular
+    TextureUse specularTexture;        // a
+    glm::vec3 specularColor{1};
+    TextureUse specularColorTexture;   // rgb
+
+    float coat = 0;                    // KHR_materials_clearcoat
+    TextureUse coatTexture;            // r
+    float coatRoughness = 0;
+    TextureUse coatRoughnessTexture;   // g
+    TextureUse coatNormalTexture;
+    float coatNormalScale = 1;
+
+    glm::vec3 sheenColor{0};           // KHR_materials_sheen
+    TextureUse sheenColorTexture;      // rgb
+    float sheenRoughness = 0;
+    TextureUse sheenRoughnessTexture;  // a
+
+    float transmission = 0;            // KHR_materials_transmission
+    TextureUse transmissionTexture;    // r
+    bool thinWalled = true;            // no KHR_materials_volume thickness: a sheet without inside
+    glm::vec3 attenuationColor{1};     // KHR_materials_volume
+    float attenuationDistance = std::numeric_limits<float>::infinity();  // metres
+
+    float anisotropy = 0;              // KHR_materials_anisotropy: strength 0..1
+    float anisotropyRotation = 0;      // radians, from the tangent towards the bitangent
+    TextureUse anisotropyTexture;      // rg: direction, b: strength
+
+    float iridescence = 0;             // KHR_materials_iridescence
+    TextureUse iridescenceTexture;     // r
+    float iridescenceIor = 1.3f;
+    float iridescenceThicknessMinNm = 100;
+    float iridescenceThicknessMaxNm = 400;
+    TextureUse iridescenceThicknessTexture;  // g
+};
+
+}  // namespace gp

@@ -1,0 +1,63 @@
+// Triangles of one material, ready for tracing and shading.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/material.h"
+
+namespace gp {
+
+// What may change from frame to frame; decides how acceleration structures are built.
+enum class MeshKind : uint8_t {
+    staticMesh,  // nothing
+    movable,     // the transforms of its instances
+    dynamic,     // its vertices too
+};
+
+// What a vertex gives to shading beside its position: 16 bytes.
+struct ShadingVertex {
+    uint32_t normalOct;   // octahedral, 2 x 16 bit (shading/frame.glsl)
+    uint32_t tangentOct;  // octahedral with the sign of the bitangent in the lowest bit
+    glm::vec2 uv;
+};
+
+// Plain arrays, as files and applications give them. Empty: absent.
+struct MeshData {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;   // absent: flat normals are generated (glTF 2.0, 3.7.2.1)
+    std::vector<glm::vec4> tangents;  // w: sign of the bitangent; absent: generated from uv[normalMapUv]
+    std::vector<glm::vec2> uv[2];
+    std::vector<glm::vec4> colors;    // linear RGBA
+    std::vector<uint32_t> indices;    // three a triangle; absent: vertices in order
+};
+
+struct Mesh {
+    uint64_t id = 0;
+    std::string name;
+    MeshKind kind = MeshKind::staticMesh;
+    std::shared_ptr<const Material> material;
+
+    std::vector<glm::vec3> positions;  // one element more than vertices: Embree reads 16 bytes
+    std::vector<glm::uvec3> triangles;
+    std::vector<ShadingVertex> vertices;
+    std::vector<glm::vec2> uv1;        // empty: none
+    std::vector<glm::u8vec4> colors;   // linear RGBA, unorm; empty: none
+    uint64_t revision = 0;             // grows each time the vertices change
+
+    size_t vertexCount() const { return vertices.size(); }
+};
+
+// What makeMesh must know of the material to generate tangents.
+struct MeshOptions {
+    bool needsTangents = false;  // a normal map or anisotropy is there
+    uint32_t tangentUv = 0;      // which uv set they follow
+};
+
+// Checks nothing (callers have: finite positions, indices in range), generates what is missing,
+// drops no triangle. Generation may split vertices.
+void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options);
+
+}  // namespace gp

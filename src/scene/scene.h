@@ -1,0 +1,49 @@
+// Everything that light meets, in no backend's terms.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/light.h"
+#include "scene/mesh.h"
+
+namespace gp {
+
+// What sees an instance, as bits.
+enum VisibilityBits : uint32_t { visibleToCamera = 1, visibleToBounce = 2, visibleToShadow = 4 };
+
+struct Instance {
+    uint64_t id = 0;
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Material> material;  // null: the mesh's own
+    glm::mat4x3 worldFromObject{1};
+    uint32_t visibility = visibleToCamera | visibleToBounce | visibleToShadow;
+
+    const Material& surface() const { return material ? *material : *mesh->material; }
+    std::shared_ptr<const Material> surfacePtr() const { return material ? material : mesh->material; }
+};
+
+struct Scene {
+    std::vector<std::shared_ptr<Instance>> instances;
+    std::vector<std::shared_ptr<Light>> lights;
+    Environment environment;
+    std::vector<Camera> cameras;      // what files bring; a frame names its own
+    glm::vec3 worldUp{0, 1, 0};
+    uint64_t revision = 0;            // grows with every change, so that backends know
+
+    // What a person asks about: where it came from and what was used of it.
+    std::vector<std::string> sources;
+    std::vector<std::string> animations;
+    std::vector<std::string> warnings;
+};
+
+struct Bounds {
+    glm::vec3 lo{3.4e38f}, hi{-3.4e38f};
+    bool empty() const { return lo.x > hi.x; }
+};
+Bounds worldBounds(const Scene& scene);
+
+}  // namespace gp
