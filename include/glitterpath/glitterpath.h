@@ -1,0 +1,567 @@
+/* Glitterpath: a physically based renderer. This is the whole public interface, in C99.
+ *
+ * The shape of a program (examples/triangle.c is one):
+ *
+ *     GpDevice device = gpNewDevice(NULL);                 // where the work is done
+ *     GpScene scene = gpNewScene(device);                  // what there is to see
+ *     gpLoadSceneFile(scene, "helmet.glb", NULL);          // ...or gpNewMesh, gpNewInstance, ...
+ *     GpFrame frame = gpNewFrame(device, &(GpFrameDesc){.width = 640, .height = 360});
+ *     gpRender(frame, scene, NULL, NULL);                  // camera and options: defaults
+ *     gpSaveFrame(frame, "helmet.png", NULL);
+ *     gpReleaseFrame(frame); gpReleaseScene(scene); gpReleaseDevice(device);
+ *
+ * DESCRIPTORS. Every descriptor filled with zeros is valid or lacks only what cannot be guessed
+ * (pointers and counts). A field that is zero takes the default written beside it. Where zero is
+ * itself a wish (a black colour, a roughness of 0), set that field's bit in `given`: then the
+ * value is taken as it stands. NULL for a whole descriptor means all defaults where it is allowed.
+ *
+ * HANDLES are not pointers to memory: never dereference one. NULL is no object. A call given a
+ * handle that was released, or that belongs to another device, fails with
+ * GP_ERROR_INVALID_HANDLE and changes nothing. Releasing gives up your handle; the object lives on
+ * while something uses it (a mesh in an instance, an instance in a scene). Releasing a device
+ * invalidates every handle made from it.
+ *
+ * ERRORS. Functions return a GpError, or a handle that is NULL on failure. A failed call changes
+ * nothing. gpGetError gives the code and a message of one line; a callback can be set.
+ *
+ * OWNERSHIP. Everything that a descriptor points to is copied before the call returns.
+ *
+ * THREADS. Calls on different devices are independent. Calls on one device may come from any
+ * thread; each locks the device, so they run one after another. During gpRender only
+ * gpCancelRender may be called on that device from other threads without waiting.
+ * Callbacks must not call into the device, gpCancelRender apart.
+ *
+ * UNITS. Metres, radians, seconds. Right-handed space. Radiometry in W, W/m^2, W/(m^2 sr) for
+ * each of linear Rec. 709 R, G, B. Photometric input is converted with 683 lm/W. Matrices are
+ * 3 rows of 4, row after row: the last column is the translation.
+ */
+#ifndef GLITTERPATH_H
+#define GLITTERPATH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(GP_STATIC)
+#define GP_API
+#elif defined(__GNUC__)
+#define GP_API __attribute__((visibility("default")))
+#else
+#define GP_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GP_VERSION_MAJOR 0
+#define GP_VERSION_MINOR 1
+#define GP_VERSION_PATCH 0
+
+typedef struct GpDeviceImpl* GpDevice;
+typedef struct GpTextureImpl* GpTexture;
+typedef struct GpMaterialImpl* GpMaterial;
+typedef struct GpMeshImpl* GpMesh;
+typedef struct GpSceneImpl* GpScene;
+typedef struct GpInstanceImpl* GpInstance;
+typedef struct GpLightImpl* GpLight;
+typedef struct GpFrameImpl* GpFrame;
+
+/* ------------------------------------------------------------------------------------ errors */
+
+typedef enum GpError {
+    GP_SUCCESS = 0,
+    GP_ERROR_UNKNOWN = 1,           /* a fault of ours: please report it */
+    GP_ERROR_INVALID_HANDLE = 2,    /* NULL, released, or of another device */
+    GP_ERROR_INVALID_ARGUMENT = 3,  /* a NULL pointer, an unknown enum value, a size of zero */
+    GP_ERROR_OUT_OF_RANGE = 4,      /* a number outside its range; an index past the end */
+    GP_ERROR_NOT_FINITE = 5,        /* NaN or infinity where a number is wanted */
+    GP_ERROR_TOO_LARGE = 6,         /* sizes that overflow, or beyond the documented limit */
+    GP_ERROR_INVALID_OPERATION = 7, /* right in itself, wrong now: reading before rendering, moving
+                                       an instance of a static mesh, a buffer that is too small */
+    GP_ERROR_DUPLICATE_ID = 8,      /* an id that another living object of the scene has */
+    GP_ERROR_OUT_OF_MEMORY = 9,
+    GP_ERROR_UNSUPPORTED = 10,      /* known but not there in this build or on this machine */
+    GP_ERROR_FILE_NOT_FOUND = 11,
+    GP_ERROR_FILE_INVALID = 12,     /* truncated, corrupt, or not of the kind that it should be */
+    GP_ERROR_FILE_WRITE = 13,
+    GP_ERROR_CANCELLED = 14         /* by gpCancelRender or by the progress callback; the frame
+                                       holds the samples taken so far */
+} GpError;
+
+/* The name of a code, such as "GP_ERROR_NOT_FINITE"; static; never NULL. Any thread. */
+GP_API const char* gpErrorName(GpError error);
+
+/* Called once for each failing call, on the thread of that call. `message` lives during it. */
+typedef void (*GpErrorCallback)(void* user, GpError error, const char* message);
+
+/* The first error of this thread on `device` since the last gpGetError, and forgets it.
+ * `message`, if not NULL, receives one line that lives until this thread's next call.
+ * device NULL: errors of calls that had no valid device (gpNewDevice, released handles). */
+GP_API GpError gpGetError(GpDevice device, const char** message);
+
+/* ------------------------------------------------------------------------------------ device */
+
+typedef enum GpBackend {
+    GP_BACKEND_AUTO = 0,  /* the best one that works here (today: the CPU) */
+    GP_BACKEND_CPU = 1,   /* Embree and oneTBB; any x86-64 machine */
+    GP_BACKEND_NULL = 2,  /* checks every call, renders nothing: frames stay black */
+    GP_BACKEND_VULKAN = 3 /* not there yet: GP_ERROR_UNSUPPORTED */
+} GpBackend;
+
+typedef struct GpDeviceDesc {
+    GpBackend backend;              /* GP_BACKEND_AUTO */
+    uint32_t threads;               /* 0 = all processors; at most 1024 */
+    const char* instructionSet;     /* NULL = best; "x86-64", "avx2" or "avx512" to force one (tests,
+                                       benchmarks): GP_ERROR_UNSUPPORTED where the CPU lacks it */
+    GpErrorCallback errorCallback;  /* NULL = none */
+    void* errorUser;                /* handed to the callback */
+} GpDeviceDesc;
+
+/* NULL on failure: gpGetError(NULL, ...). desc may be NULL. */
+GP_API GpDevice gpNewDevice(const GpDeviceDesc* desc);
+GP_API GpError gpReleaseDevice(GpDevice device);
+/* The backend and instruction set in use, such as "CPU (Embree 3.13.5, avx512, 2 threads)";
+ * lives as long as the device. NULL on failure. */
+GP_API const char* gpGetDeviceName(GpDevice device);
+
+/* ---------------------------------------------------------------------------------- textures */
+
+typedef enum GpColorSpace {
+    GP_COLOR_SRGB = 0,  /* 8-bit RGB is decoded when read; alpha never is */
+    GP_COLOR_LINEAR = 1 /* numbers as they are: normals, roughness, masks */
+} GpColorSpace;
+
+typedef enum GpWrap { GP_WRAP_REPEAT = 0, GP_WRAP_CLAMP = 1, GP_WRAP_MIRROR = 2 } GpWrap;
+
+typedef enum GpFilter {
+    GP_FILTER_LINEAR = 0, /* bilinear within a level, linear between levels */
+    GP_FILTER_NEAREST = 1
+} GpFilter;
+
+typedef enum GpPixelFormat {
+    GP_FORMAT_RGBA8 = 0,  /* 4 bytes a pixel */
+    GP_FORMAT_RGBA32F = 1 /* 16 bytes a pixel, always linear */
+} GpPixelFormat;
+
+typedef struct GpTextureDesc {
+    uint32_t width, height;   /* 1..32768; at most 2^28 pixels */
+    GpPixelFormat format;     /* GP_FORMAT_RGBA8 */
+    const void* pixels;       /* top row first */
+    size_t rowBytes;          /* 0 = tightly packed */
+    GpColorSpace colorSpace;  /* GP_COLOR_SRGB */
+    GpWrap wrapU, wrapV;      /* GP_WRAP_REPEAT */
+    GpFilter magFilter, minFilter; /* GP_FILTER_LINEAR */
+    int32_t noMipmaps;        /* not 0: only the image itself is read */
+    const char* name;         /* for people; may be NULL */
+} GpTextureDesc;
+
+/* Cost: builds the mip chain. */
+GP_API GpTexture gpNewTexture(GpDevice device, const GpTextureDesc* desc);
+/* From PNG, JPEG, Radiance HDR or EXR. Of `desc` only colour space, wraps, filters, noMipmaps and
+ * name count; it may be NULL. */
+GP_API GpTexture gpNewTextureFromFile(GpDevice device, const char* path, const GpTextureDesc* desc);
+GP_API GpError gpReleaseTexture(GpTexture texture);
+
+/* --------------------------------------------------------------------------------- materials */
+
+/* A texture in a material: u' = transform[0] u + transform[1] v + transform[2], v' likewise with
+ * [3..5]. A transform of six zeros is the identity. */
+typedef struct GpTextureUse {
+    GpTexture texture;  /* NULL = none: the factor alone counts */
+    uint32_t texCoord;  /* which set of the mesh: 0 or 1 */
+    float transform[6];
+} GpTextureUse;
+
+typedef enum GpAlphaMode {
+    GP_ALPHA_OPAQUE = 0,
+    GP_ALPHA_MASK = 1, /* there where alpha >= alphaCutoff */
+    GP_ALPHA_BLEND = 2 /* covers the fraction alpha of what lies behind */
+} GpAlphaMode;
+
+/* Bits of GpMaterialDesc.given: "this field counts although it is zero". */
+enum {
+    GP_GIVEN_BASE_COLOR = 1 << 0,
+    GP_GIVEN_ROUGHNESS = 1 << 1,
+    GP_GIVEN_NORMAL_SCALE = 1 << 2,
+    GP_GIVEN_ALPHA_CUTOFF = 1 << 3,
+    GP_GIVEN_SPECULAR = 1 << 4,
+    GP_GIVEN_SPECULAR_COLOR = 1 << 5,
+    GP_GIVEN_COAT_NORMAL_SCALE = 1 << 6,
+    GP_GIVEN_ATTENUATION_COLOR = 1 << 7,
+    GP_GIVEN_IRIDESCENCE_THICKNESS = 1 << 8,
+    GP_GIVEN_ALL_MATERIAL = (1 << 9) - 1
+};
+
+/* glTF 2.0 metallic-roughness with the Khronos extensions; a texture multiplies its factor. All
+ * factors are in 0..1 unless said otherwise. */
+typedef struct GpMaterialDesc {
+    uint32_t given; /* GP_GIVEN_ bits */
+    const char* name;
+    float baseColor[4];            /* linear RGB and alpha; (1,1,1,1) */
+    GpTextureUse baseColorTexture; /* RGBA, sRGB */
+    float metallic;                /* 0 */
+    float roughness;               /* 1; its square is the microfacet width alpha */
+    GpTextureUse metallicRoughnessTexture; /* G roughness, B metallic; linear */
+    GpTextureUse normalTexture;    /* tangent space, Y up; linear */
+    float normalScale;             /* 1; any */
+    float emission[3];             /* radiance, W/(m^2 sr), >= 0; 0 */
+    GpTextureUse emissionTexture;  /* RGB, sRGB */
+    GpAlphaMode alphaMode;         /* GP_ALPHA_OPAQUE */
+    float alphaCutoff;             /* 0.5 */
+    int32_t doubleSided;           /* not 0: emission leaves both sides. (Surfaces are seen from
+                                      both sides in any case.) */
+    int32_t unlit;                 /* not 0: shows baseColor as it is and casts no light */
+    float ior;                     /* 1.5; 1..10 */
+    float specular;                /* 1 */
+    GpTextureUse specularTexture;  /* A */
+    float specularColor[3];        /* (1,1,1) */
+    GpTextureUse specularColorTexture; /* RGB, sRGB */
+    float coat;                    /* 0 */
+    GpTextureUse coatTexture;      /* R */
+    float coatRoughness;           /* 0 */
+    GpTextureUse coatRoughnessTexture; /* G */
+    GpTextureUse coatNormalTexture;
+    float coatNormalScale;         /* 1 */
+    float sheenColor[3];           /* 0 */
+    GpTextureUse sheenColorTexture;     /* RGB, sRGB */
+    float sheenRoughness;          /* 0 */
+    GpTextureUse sheenRoughnessTexture; /* A */
+    float transmission;            /* 0 */
+    GpTextureUse transmissionTexture;   /* R */
+    int32_t solid;                 /* 0: a thin sheet, no inside. Not 0: the surface bounds a body
+                                      that refracts and absorbs; the mesh should be closed */
+    float attenuationColor[3];     /* (1,1,1): what is left after attenuationDistance */
+    float attenuationDistance;     /* metres; 0 = infinite */
+    float anisotropy;              /* 0 */
+    float anisotropyRotation;      /* radians from the tangent */
+    GpTextureUse anisotropyTexture; /* RG direction, B strength */
+    float iridescence;             /* 0 */
+    GpTextureUse iridescenceTexture; /* R */
+    float iridescenceIor;          /* 1.3; 1..10 */
+    float iridescenceThicknessMinNm; /* 100 */
+    float iridescenceThicknessMaxNm; /* 400 */
+    GpTextureUse iridescenceThicknessTexture; /* G, from min to max */
+} GpMaterialDesc;
+
+/* desc may be NULL: white and diffuse with a dielectric sheen of its index. */
+GP_API GpMaterial gpNewMaterial(GpDevice device, const GpMaterialDesc* desc);
+GP_API GpError gpReleaseMaterial(GpMaterial material);
+
+/* ------------------------------------------------------------------------------------ meshes */
+
+typedef enum GpMeshKind {
+    GP_MESH_STATIC = 0,  /* nothing changes: best structure, fastest rays */
+    GP_MESH_MOVABLE = 1, /* the transforms of its instances may change (gpSetInstanceTransform) */
+    GP_MESH_DYNAMIC = 2  /* its vertices may change too (gpUpdateMesh) */
+} GpMeshKind;
+
+/* Strides are in bytes; 0 = tightly packed. Vertices and indices: each at most 2^28. */
+typedef struct GpMeshDesc {
+    uint64_t id;              /* yours, for matching over frames; 0 = none */
+    GpMeshKind kind;          /* GP_MESH_STATIC */
+    GpMaterial material;      /* NULL = the default material */
+    uint32_t vertexCount;
+    const float* positions;   /* xyz, finite; required */
+    size_t positionStride;
+    const float* normals;     /* xyz; NULL = flat normals are generated */
+    size_t normalStride;
+    const float* tangents;    /* xyz and the bitangent's sign; NULL = generated where needed */
+    size_t tangentStride;
+    const float* texCoords[2]; /* uv; NULL = zeros */
+    size_t texCoordStride[2];
+    const float* colors;      /* linear RGBA, 0..1, multiply baseColor; NULL = white */
+    size_t colorStride;
+    const uint32_t* indices;  /* three a triangle; NULL = vertices in order */
+    uint32_t indexCount;      /* a multiple of 3; without indices vertexCount is one */
+    const char* name;
+} GpMeshDesc;
+
+GP_API GpMesh gpNewMesh(GpDevice device, const GpMeshDesc* desc);
+/* New vertices for a GP_MESH_DYNAMIC mesh; kind, id, material and name of desc are ignored. With the
+ * same triangles as before the acceleration structure is refitted, else rebuilt, at the next
+ * gpRender. GP_ERROR_INVALID_OPERATION for the other kinds. */
+GP_API GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc);
+GP_API GpError gpReleaseMesh(GpMesh mesh);
+
+/* ------------------------------------------------------------------------- scenes, instances */
+
+GP_API GpScene gpNewScene(GpDevice device);
+GP_API GpError gpReleaseScene(GpScene scene);
+
+enum { GP_VISIBLE_CAMERA = 1, GP_VISIBLE_BOUNCE = 2, GP_VISIBLE_SHADOW = 4 };
+
+typedef struct GpInstanceDesc {
+    uint64_t id;            /* yours, unique in the scene; 0 = none */
+    GpMesh mesh;            /* required */
+    GpMaterial material;    /* NULL = the mesh's */
+    float worldFromObject[12]; /* 3 rows of 4; twelve zeros = identity. Must be invertible */
+    uint32_t invisibleTo;   /* GP_VISIBLE_ bits of the rays that pass through it; 0 = seen by all */
+    const char* name;
+} GpInstanceDesc;
+
+/* The instance belongs to the scene until it is removed; your handle may be released before. */
+GP_API GpInstance gpNewInstance(GpScene scene, const GpInstanceDesc* desc);
+/* For instances of movable and dynamic meshes; twelve floats, 3 rows of 4. */
+GP_API GpError gpSetInstanceTransform(GpInstance instance, const float* worldFromObject);
+/* Takes it out of its scene and releases the handle. */
+GP_API GpError gpRemoveInstance(GpInstance instance);
+/* Gives up the handle; the instance stays in its scene. */
+GP_API GpError gpReleaseInstance(GpInstance instance);
+
+/* ------------------------------------------------------------------------------------ lights */
+
+typedef enum GpLightKind {
+    GP_LIGHT_DIRECTIONAL = 0, /* the sun: parallel, or from a disk of angularRadius */
+    GP_LIGHT_SPHERE = 1,      /* or a point, with radius 0 */
+    GP_LIGHT_SPOT = 2,        /* a sphere (or point) whose light leaves within a cone */
+    GP_LIGHT_RECTANGLE = 3
+} GpLightKind;
+
+typedef enum GpLightUnit {
+    GP_UNIT_RADIOMETRIC = 0, /* directional W/m^2; sphere and spot W/sr; rectangle W/(m^2 sr) */
+    GP_UNIT_PHOTOMETRIC = 1, /* directional lux; sphere and spot candela; rectangle candela/m^2 */
+    GP_UNIT_POWER_W = 2,     /* whole power in watts (not directional). Spots: as if all around */
+    GP_UNIT_POWER_LM = 3     /* the same in lumens */
+} GpLightUnit;
+
+typedef struct GpLightDesc {
+    uint64_t id;          /* yours, unique among the lights of the scene; 0 = none */
+    GpLightKind kind;
+    float color[3];       /* linear RGB >= 0; three zeros = white */
+    float intensity;      /* >= 0, in `unit`; 0 = off */
+    GpLightUnit unit;
+    float position[3];    /* sphere, spot: centre; rectangle: the corner */
+    float direction[3];   /* directional, spot: where the light travels, any length;
+                             three zeros = (0, -1, 0) */
+    float radius;         /* sphere, spot: metres >= 0 */
+    float angularRadius;  /* directional: radians, 0..pi/2; the sun: 0.00465 */
+    float innerAngle;     /* spot: radians from the axis, 0..outerAngle */
+    float outerAngle;     /* spot: 0 = pi/4; at most pi/2 */
+    float edgeU[3], edgeV[3]; /* rectangle: its edges from the corner; light leaves along U x V */
+    int32_t twoSided;     /* rectangle */
+    int32_t invisible;    /* not 0: camera rays do not see the sphere or rectangle itself */
+    const char* name;
+} GpLightDesc;
+
+GP_API GpLight gpNewLight(GpScene scene, const GpLightDesc* desc);
+/* Everything of the light anew; the id stays. */
+GP_API GpError gpSetLight(GpLight light, const GpLightDesc* desc);
+GP_API GpError gpRemoveLight(GpLight light);
+GP_API GpError gpReleaseLight(GpLight light);
+
+/* What surrounds the scene. Latitude-longitude images: the centre looks along -Z, top is +Y. */
+typedef struct GpEnvironmentDesc {
+    uint32_t width, height;  /* of pixels; 0 = no image */
+    const float* pixels;     /* RGBA, linear radiance, W/(m^2 sr), >= 0, top row first */
+    float color[3];          /* multiplies the image (three zeros = 1); without an image it is the
+                                radiance of a uniform surrounding (three zeros = black) */
+    float rotation;          /* radians about +Y, counter-clockwise seen from above */
+} GpEnvironmentDesc;
+
+/* desc NULL = no environment. */
+GP_API GpError gpSetEnvironment(GpScene scene, const GpEnvironmentDesc* desc);
+/* The image from a Radiance HDR or EXR file; color and rotation from desc, which may be NULL. */
+GP_API GpError gpSetEnvironmentFromFile(GpScene scene, const char* path,
+                                        const GpEnvironmentDesc* desc);
+/* A clear sky with the sun at (azimuth from -Z towards +X, elevation), radians. The sun's disk is a
+ * directional light of its own that the call adds. sunLux: illuminance of the sun on a plane
+ * facing it; 0 = by its elevation (100,000 lux high up). Replaces the environment. */
+GP_API GpError gpSetSky(GpScene scene, float sunAzimuth, float sunElevation, float sunLux);
+
+/* ------------------------------------------------------------------------------- scene files */
+
+typedef struct GpLoadOptions {
+    double time;          /* seconds: where animations, morphs and skins stand */
+    uint32_t animation;   /* 0 = the first; n = number n, from 1; needs that many */
+    uint32_t scene;       /* 0 = the file's default; n = number n, from 1 */
+} GpLoadOptions;
+
+/* Adds the content of a .gltf or .glb file. On failure the scene is as it was. options may be
+ * NULL. Extensions that the file requires and we lack are an error; those that it merely uses
+ * are warnings, listed by gpDescribeScene. */
+GP_API GpError gpLoadSceneFile(GpScene scene, const char* path, const GpLoadOptions* options);
+
+typedef struct GpSceneInfo {
+    uint64_t meshes, triangles;           /* unique */
+    uint64_t instances, instancedTriangles;
+    uint64_t materials, textures, textureBytes, geometryBytes;
+    uint64_t lights, emissiveTriangles, cameras;
+    int32_t hasEnvironment;
+    float boundsMin[3], boundsMax[3];     /* world, metres; all zeros for an empty scene */
+} GpSceneInfo;
+
+GP_API GpError gpGetSceneInfo(GpScene scene, GpSceneInfo* info);
+/* Everything in the scene as a JSON text: names, sizes, materials, lights, cameras, animations,
+ * warnings. Writes at most `size` bytes with the closing zero and always stores the size needed in
+ * *needed (may be NULL); text may be NULL when size is 0. */
+GP_API GpError gpDescribeScene(GpScene scene, char* text, size_t size, size_t* needed);
+
+/* ------------------------------------------------------------------------------------ camera */
+
+typedef enum GpCameraKind { GP_CAMERA_PERSPECTIVE = 0, GP_CAMERA_ORTHOGRAPHIC = 1 } GpCameraKind;
+
+typedef struct GpCameraDesc {
+    GpCameraKind kind;
+    float position[3];
+    float target[3];          /* equal to position = one metre along -Z */
+    float up[3];              /* three zeros = +Y */
+    float verticalFov;        /* radians, 0 = pi/4; below pi */
+    float orthographicHeight; /* metres; 0 = 2 */
+    float apertureRadius;     /* metres; 0 = pinhole */
+    float focusDistance;      /* metres along the view axis; 0 = the target */
+} GpCameraDesc;
+
+/* Cameras that files brought, in their order. The name (may be NULL) lives as long as the scene. */
+GP_API GpError gpGetSceneCamera(GpScene scene, uint32_t index, GpCameraDesc* camera,
+                                const char** name);
+/* A camera that shows the whole scene, from the front, a little from above. */
+GP_API GpError gpFrameScene(GpScene scene, float aspect, GpCameraDesc* camera);
+
+/* ------------------------------------------------------------------------------------ frames */
+
+typedef enum GpFrameMode {
+    GP_MODE_REFERENCE = 0, /* unbiased path tracing */
+    GP_MODE_REALTIME = 1   /* not there yet: GP_ERROR_UNSUPPORTED */
+} GpFrameMode;
+
+typedef struct GpFrameDesc {
+    uint32_t width, height; /* 1..16384 */
+    GpFrameMode mode;
+} GpFrameDesc;
+
+GP_API GpFrame gpNewFrame(GpDevice device, const GpFrameDesc* desc);
+GP_API GpError gpReleaseFrame(GpFrame frame);
+
+/* What a frame holds for each pixel, top row first. Those of surfaces are of the first surface that
+ * a camera ray meets, averaged over the samples (ids: of the first sample). */
+typedef enum GpFrameImage {
+    GP_IMAGE_COLOR = 0,     /* RGBA32F  radiance and coverage (alpha) */
+    GP_IMAGE_DISPLAY = 1,   /* RGBA8    after exposure, tone mapping and sRGB encoding */
+    GP_IMAGE_ALBEDO = 2,    /* RGBA32F  reflectance */
+    GP_IMAGE_NORMAL = 3,    /* RGBA32F  shading normal, world space */
+    GP_IMAGE_DEPTH = 4,     /* R32F     distance along the view axis, metres; infinite: nothing */
+    GP_IMAGE_EMISSION = 5,  /* RGBA32F  radiance of what the camera sees glow, sky included */
+    GP_IMAGE_DIRECT = 6,    /* RGBA32F  light after one bounce */
+    GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT */
+    GP_IMAGE_ROUGHNESS = 8, /* RGBA32F  R roughness, G metallic */
+    GP_IMAGE_VARIANCE = 9,  /* RGBA32F  variance of the mean in COLOR */
+    GP_IMAGE_INSTANCE = 10, /* R32UI    1 + position of the instance in the scene, 0: nothing */
+    GP_IMAGE_COUNT = 11
+} GpFrameImage;
+
+typedef enum GpImageFormat { GP_IMAGE_RGBA32F = 0, GP_IMAGE_RGBA8 = 1, GP_IMAGE_R32F = 2,
+                             GP_IMAGE_R32UI = 3 } GpImageFormat;
+
+typedef struct GpImageInfo {
+    const char* name;      /* "color", "display", "albedo", ... */
+    GpImageFormat format;
+    uint32_t bytesPerPixel;
+} GpImageInfo;
+
+/* Name and format of an image kind; needs no device. */
+GP_API GpError gpGetImageInfo(GpFrameImage image, GpImageInfo* info);
+
+typedef enum GpTonemap {
+    GP_TONEMAP_AGX = 0,
+    GP_TONEMAP_ACES = 1,
+    GP_TONEMAP_REINHARD = 2,
+    GP_TONEMAP_NONE = 3 /* clipped at 1 */
+} GpTonemap;
+
+typedef enum GpPixelFilter {
+    GP_PIXEL_BLACKMAN_HARRIS = 0, /* 1.5 pixels wide, sharp without ringing */
+    GP_PIXEL_BOX = 1,
+    GP_PIXEL_TENT = 2,
+    GP_PIXEL_GAUSSIAN = 3
+} GpPixelFilter;
+
+typedef enum GpShading {
+    GP_SHADING_FULL = 0,
+    GP_SHADING_DIFFUSE = 1 /* every surface is Lambertian with its base colour: for comparisons */
+} GpShading;
+
+typedef struct GpProgress {
+    double fraction;         /* 0..1 of what was asked for */
+    double secondsElapsed, secondsRemaining; /* remaining < 0: not known yet */
+    uint32_t samplesPerPixel;
+    double raysPerSecond;
+    double noise;            /* estimated relative error of the picture; < 0: not known yet */
+} GpProgress;
+
+/* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
+ * render stops with GP_ERROR_CANCELLED and keeps its samples. */
+typedef int (*GpProgressCallback)(void* user, const GpProgress* progress);
+
+typedef struct GpRenderOptions {
+    uint32_t samplesPerPixel;  /* to add in this call; 0 = 64, or no limit if one below is set */
+    double timeLimit;          /* seconds; 0 = none. At least one sample is always taken */
+    double noiseTarget;        /* stop when the estimated relative error falls below; 0 = none */
+    int32_t maxBounces;        /* 0 = 16; GP_NO_BOUNCES = light that arrives directly, only */
+    uint64_t seed;             /* the same seed gives the same bits on any number of threads */
+    GpShading shading;
+    GpPixelFilter pixelFilter;
+    float pixelFilterRadius;   /* pixels; 0 = the filter's own */
+    float clamp;               /* 0 = off. Else the largest luminance that one sample's indirect
+                                  light may have: less noise, darker, biased */
+    int32_t noRussianRoulette; /* not 0: paths end only at maxBounces */
+    float exposureEv;          /* DISPLAY is scaled by 2^exposureEv */
+    GpTonemap tonemap;
+    int32_t accumulate;        /* not 0: add to what the frame holds (same scene, same camera) */
+    GpProgressCallback progress;
+    void* progressUser;
+} GpRenderOptions;
+
+#define GP_NO_BOUNCES (-1)
+
+/* Traces `scene` into `frame`. camera NULL = the scene's first, or gpFrameScene's. options NULL =
+ * defaults. A scene without any light shows black: see gpSetSky. */
+GP_API GpError gpRender(GpFrame frame, GpScene scene, const GpCameraDesc* camera,
+                        const GpRenderOptions* options);
+/* Ends a running gpRender of this device soon; any thread, also from a signal handler. */
+GP_API void gpCancelRender(GpDevice device);
+/* DISPLAY anew with another exposure and tone map, without tracing. */
+GP_API GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap);
+/* Copies an image out. `size` must be at least width * height * bytesPerPixel. */
+GP_API GpError gpReadFrameImage(GpFrame frame, GpFrameImage image, void* pixels, size_t size);
+
+typedef struct GpSaveOptions {
+    uint32_t layers;      /* EXR: bit (1 << GpFrameImage) for each layer beside COLOR; 0 = none */
+    int32_t fullFloat;    /* EXR: not 0 = 32-bit floats, else half */
+} GpSaveOptions;
+
+/* By the ending of the name: .png (DISPLAY), .exr, .hdr (COLOR). Written under a temporary name
+ * and renamed, so that a failure leaves no broken file. options may be NULL. */
+GP_API GpError gpSaveFrame(GpFrame frame, const char* path, const GpSaveOptions* options);
+
+typedef struct GpFrameStatistics {
+    uint32_t samplesPerPixel;          /* in the frame now */
+    uint64_t cameraRays, bounceRays, shadowRays; /* of the last gpRender */
+    double secondsBuild, secondsRender;/* acceleration structures; tracing */
+    double noise;                      /* relative error, < 0: too few samples to say */
+    uint64_t accelerationBytes;        /* memory of the acceleration structures */
+    uint64_t frameBytes;               /* memory of the frame's images */
+} GpFrameStatistics;
+
+GP_API GpError gpGetFrameStatistics(GpFrame frame, GpFrameStatistics* statistics);
+
+/* ------------------------------------------------------------------------------- image files */
+
+/* Pixels that the library allocated; give them back with gpFreeImage. */
+typedef struct GpImage {
+    uint32_t width, height;
+    float* pixels;       /* RGBA, top row first; 8- and 16-bit files decoded from sRGB to linear */
+    int32_t displayReferred; /* not 0: the file was PNG or JPEG, 1 is white */
+} GpImage;
+
+/* Reads PNG, JPEG, Radiance HDR or EXR. */
+GP_API GpError gpLoadImage(GpDevice device, const char* path, GpImage* image);
+/* By the ending of the name: .png (sRGB encoding, clipped to 0..1), .exr (half), .hdr. Only width,
+ * height and pixels of `image` count. */
+GP_API GpError gpSaveImage(GpDevice device, const char* path, const GpImage* image);
+/* Frees and clears; an image of zeros is allowed. */
+GP_API void gpFreeImage(GpImage* image);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
