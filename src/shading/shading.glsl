@@ -5,6 +5,9 @@
 
 #include "shading/constants.glsl"
 #include "shading/frame.glsl"
+#include "shading/sampling/hash.glsl"
+#include "shading/sampling/sobol.glsl"
+#include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
 
 // Reflectance: fresnel.glsl, microfacet/ggx.glsl, microfacet/beckmann.glsl, bsdf/bsdf.glsl.

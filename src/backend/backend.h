@@ -1,0 +1,52 @@
+// What a backend is: it keeps a scene in its own form, and runs passes over a frame's images.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "frame/frame_images.h"
+#include "frame/frame_plan.h"
+#include "scene/scene.h"
+
+namespace gp {
+
+struct RayCounts {
+    uint64_t camera = 0, bounce = 0, shadow = 0;
+    uint64_t total() const { return camera + bounce + shadow; }
+};
+
+// A scene in a backend's own form.
+class BackendScene {
+public:
+    virtual ~BackendScene() = default;
+    // Brings it up to date with `scene`; cheap when nothing changed. Throws std::bad_alloc.
+    virtual void update(const Scene& scene) = 0;
+    virtual uint64_t accelerationBytes() const = 0;
+    virtual uint64_t emissiveTriangles() const = 0;
+};
+
+class Backend {
+public:
+    virtual ~Backend() = default;
+    virtual std::string name() const = 0;  // for people
+    virtual std::unique_ptr<BackendScene> newScene() = 0;
+    // The path pass: adds samples [first, first + count) to every pixel's sums. Tiles not begun when
+    // `cancel` turns true are left out.
+    virtual RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
+                                 uint32_t count, FrameImages& images,
+                                 const std::atomic<bool>& cancel) = 0;
+    // The tone-mapping pass: images.display from images.sums.
+    virtual void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) = 0;
+};
+
+struct BackendOptions {
+    uint32_t threads = 0;          // 0: all processors
+    std::string instructionSet;    // "": the best; "x86-64", "avx2", "avx512"
+};
+
+std::unique_ptr<Backend> newCpuBackend(const BackendOptions& options);  // throws std::runtime_error
+std::unique_ptr<Backend> newNullBackend();
+
+}  // namespace gp

@@ -1,0 +1,33 @@
+// Every option of a render, resolved once before the first pass.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/camera.h"
+
+namespace gp {
+
+enum class Tonemap : uint32_t { agx, aces, reinhard, none };
+enum class PixelFilter : uint32_t { blackmanHarris, box, tent, gaussian };
+enum class ShadingMode : uint32_t { full, diffuse };
+
+struct FramePlan {
+    uint32_t width = 0, height = 0;
+    Camera camera;
+
+    uint32_t samplesPerPixel = 64;  // to add; UINT32_MAX: until another limit
+    double timeLimit = 0;           // seconds, 0: none
+    double noiseTarget = 0;         // relative, 0: none
+    uint32_t maxBounces = 16;       // 0: directly arriving light only
+    uint64_t seed = 0;
+    ShadingMode shading = ShadingMode::full;
+    PixelFilter pixelFilter = PixelFilter::blackmanHarris;
+    float pixelFilterRadius = 1.5f;
+    float clampIndirect = 0;        // 0: off
+    bool russianRoulette = true;
+    float exposureEv = 0;
+    Tonemap tonemap = Tonemap::agx;
+    bool accumulate = false;
+};
+
+}  // namespace gp

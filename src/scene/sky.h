@@ -1,0 +1,15 @@
+// The built-in clear sky: an environment image and a sun that belong together.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace gp {
+
+// Radians; azimuth from -Z towards +X. sunLux 0: by elevation. Adds the sun to `scene.lights`
+// (replacing an earlier sky's) and sets `scene.environment`.
+void setSky(Scene& scene, float sunAzimuth, float sunElevation, float sunLux);
+
+// A camera that shows everything: from the front, a little from above.
+Camera frameScene(const Scene& scene, float aspect);
+
+}  // namespace gp
