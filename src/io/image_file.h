@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,11 +13,15 @@
 
 namespace gp::io {
 
+// The most pixels that a file may ask for, checked in its header before anything is allocated.
+constexpr uint64_t defaultMaxPixels = uint64_t(1) << 28;
+
 // By content, not by name. 8-bit files give rgba8 as stored; 16-bit PNG, HDR and EXR give rgba32f
 // (16-bit PNG scaled to 0..1, still in the file's encoding). Throws FileError.
-Image loadImage(const std::string& path);
+Image loadImage(const std::string& path, uint64_t maxPixels = defaultMaxPixels);
 // The same from memory; `label` stands for the path in messages.
-Image decodeImage(std::span<const std::byte> file, const std::string& label);
+Image decodeImage(std::span<const std::byte> file, const std::string& label,
+                  uint64_t maxPixels = defaultMaxPixels);
 
 // One layer of an image file: `channels` floats a pixel, top row first.
 struct ImageLayer {
