@@ -5,18 +5,22 @@
 #define GP_SHADING_SAMPLING_WARPS_GLSL
 #include "shading/constants.glsl"
 
-// The unit disk, by area: concentric squares become concentric circles.
+// The unit disk, by area: concentric squares become concentric circles. Polar coordinates; the
+// radius is signed, and exact: whoever needs 1 - r^2 takes it from here rather than from x and y.
 // [Shirley and Chiu 1997, Journal of Graphics Tools 2(3)]
-vec2 square_to_concentric_disk(vec2 u) {
+vec2 square_to_concentric_polar(vec2 u) {
     float a = 2.0f * u.x - 1.0f;
     float b = 2.0f * u.y - 1.0f;
     if (a == 0.0f && b == 0.0f) {
         return vec2(0.0f);
     }
-    bool wide = abs(a) > abs(b);
-    float r = wide ? a : b;
-    float phi = wide ? QUARTER_PI * (b / a) : HALF_PI - QUARTER_PI * (a / b);
-    return vec2(r * cos(phi), r * sin(phi));
+    return abs(a) > abs(b) ? vec2(a, QUARTER_PI * (b / a))
+                           : vec2(b, HALF_PI - QUARTER_PI * (a / b));
+}
+
+vec2 square_to_concentric_disk(vec2 u) {
+    vec2 polar = square_to_concentric_polar(u);
+    return vec2(polar.x * cos(polar.y), polar.x * sin(polar.y));
 }
 
 vec2 concentric_disk_to_square(vec2 p) {
@@ -40,8 +44,9 @@ float concentric_disk_pdf() {
 
 // The hemisphere around +Z by projected solid angle: the disk lifted up to the sphere (Malley).
 vec3 square_to_cosine_hemisphere(vec2 u) {
-    vec2 p = square_to_concentric_disk(u);
-    return vec3(p.x, p.y, sqrt(max(0.0f, 1.0f - dot(p, p))));
+    vec2 polar = square_to_concentric_polar(u);
+    float r = polar.x;
+    return vec3(r * cos(polar.y), r * sin(polar.y), sqrt((1.0f - r) * (1.0f + r)));
 }
 
 vec2 cosine_hemisphere_to_square(vec3 d) {
@@ -56,10 +61,10 @@ float cosine_hemisphere_pdf(vec3 d) {
 // digits where the cosine itself has none left: for the sun 1 - cos is 1.1e-5.
 vec3 square_to_uniform_cone(vec2 u, float one_minus_cos_max) {
     // By Archimedes the height over a cap is uniform, as the squared radius over a disk is.
-    vec2 p = square_to_concentric_disk(u);
-    float height = one_minus_cos_max * dot(p, p);
-    vec2 xy = p * sqrt(one_minus_cos_max * max(0.0f, 2.0f - height));
-    return vec3(xy.x, xy.y, 1.0f - height);
+    vec2 polar = square_to_concentric_polar(u);
+    float height = one_minus_cos_max * polar.x * polar.x;
+    float sin_theta = polar.x * sqrt(one_minus_cos_max * (2.0f - height));
+    return vec3(sin_theta * cos(polar.y), sin_theta * sin(polar.y), 1.0f - height);
 }
 
 vec2 uniform_cone_to_square(vec3 d, float one_minus_cos_max) {
