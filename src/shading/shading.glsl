@@ -10,6 +10,11 @@
 #include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
 
-// Reflectance: fresnel.glsl, microfacet/ggx.glsl, microfacet/beckmann.glsl, bsdf/bsdf.glsl.
+#include "shading/fresnel.glsl"
+#include "shading/iridescence.glsl"
+#include "shading/microfacet/ggx.glsl"
+#include "shading/microfacet/ggx_albedo.glsl"
+#include "shading/microfacet/beckmann.glsl"
+#include "shading/bsdf/bsdf.glsl"
 
 #endif

@@ -53,7 +53,7 @@ Chi2Result chi2Rectangle(const Chi2Options& options, glm::dvec2 lo, glm::dvec2 h
     }
     double total = 0.0;
     const double n = static_cast<double>(options.samples);
-    const Tolerance tolerance{3e-4, 1e-9};
+    const QuadratureTolerance tolerance{3e-4, 1e-9};
     for (int i = 0; i < chi2Columns * chi2Columns; ++i) {
         const glm::dvec2 from = lo + step * glm::dvec2(i / chi2Columns, i % chi2Columns);
         const double probability = integrate([&](double x) {
@@ -84,7 +84,8 @@ public:
     // `pole` is unit length; `distances` are 1 - cos of the pilot samples' angles to it.
     SphereGrid(glm::dvec3 pole, std::vector<double> distances, const SphereDomain& domain)
         : pole_(pole), domain_(domain) {
-        const glm::dvec3 helper = std::abs(pole.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        const bool alongX = std::abs(pole.x) > 0.6;
+        const glm::dvec3 helper(alongX ? 0 : 1, alongX ? 1 : 0, 0);
         tangent_ = glm::normalize(glm::cross(helper, pole));
         bitangent_ = glm::cross(pole, tangent_);
         domain_.edges.push_back(glm::dvec3(0, 0, 1));
@@ -105,7 +106,8 @@ public:
 
     std::size_t cellOf(glm::dvec3 w) const {
         const double s = distance(w, pole_);
-        const auto ring = std::upper_bound(rings_.begin() + 1, rings_.end() - 1, s) - rings_.begin();
+        const auto above = std::upper_bound(rings_.begin() + 1, rings_.end() - 1, s);
+        const auto ring = above - rings_.begin();
         const double phi = std::atan2(glm::dot(w, bitangent_), glm::dot(w, tangent_));
         const double turn = (phi < 0.0 ? phi + 2.0 * M_PI : phi) / (2.0 * M_PI);
         const int sector = std::min(static_cast<int>(turn * chi2Sectors), chi2Sectors - 1);
@@ -118,8 +120,8 @@ public:
         const double phi0 = 2.0 * M_PI * static_cast<double>(cell % chi2Sectors) / chi2Sectors;
         const double phi1 = phi0 + 2.0 * M_PI / chi2Sectors;
         const double s0 = rings_[ring], s1 = rings_[ring + 1];
-        const Tolerance outer{3e-4, 1e-9};
-        const Tolerance inner{1e-4, 1e-9 / (s1 - s0)};
+        const QuadratureTolerance outer{3e-4, 1e-9};
+        const QuadratureTolerance inner{1e-4, 1e-9 / (s1 - s0)};
         return integratePieces([&](double s) {
             const double r = std::sqrt(s * (2.0 - s));
             return integratePieces([&](double phi) {

@@ -78,8 +78,9 @@ inline std::string dumpTable(const Chi2Options& options, const Chi2Table& table)
     for (char& c : file) {
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     }
-    const std::filesystem::path path = std::filesystem::path(GP_BINARY_DIR) / "chi2_tables" / (file + ".csv");
-    std::filesystem::create_directories(path.parent_path());
+    const std::filesystem::path folder = std::filesystem::path(GP_BINARY_DIR) / "chi2_tables";
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path path = folder / (file + ".csv");
     std::ofstream out(path);
     out << "cell,observed,expected,deviation\n";
     for (std::size_t i = 0; i < table.observed.size(); ++i) {
@@ -122,10 +123,10 @@ inline Chi2Result chi2Test(const Chi2Options& options, const Chi2Table& table) {
     // Rounding may move a sample over an edge of the support, but only a few in a hundred thousand.
     const bool outside = impossible > 1e-5 * static_cast<double>(options.samples) + 5.0;
     result.passed = result.degrees > 0 && result.pValue >= threshold && !outside;
-    result.message = fmt::format("{}: chi2 = {:.1f}, {} degrees of freedom, p = {:.3g} (needed {:.3g})"
-                                 ", {} samples where the density is 0", options.name,
-                                 result.statistic, result.degrees, result.pValue, threshold,
-                                 impossible);
+    result.message = fmt::format(
+        "{}: chi2 = {:.1f}, {} degrees of freedom, p = {:.3g} (needed {:.3g}), {} samples where the"
+        " density is 0", options.name, result.statistic, result.degrees, result.pValue, threshold,
+        impossible);
     if (!result.passed) result.message += "; table in " + dumpTable(options, table);
     return result;
 }

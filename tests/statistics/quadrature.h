@@ -8,7 +8,7 @@
 
 namespace gp::test {
 
-struct Tolerance {
+struct QuadratureTolerance {
     double relative = 3e-4;
     double absolute = 0.0;
 };
@@ -57,13 +57,13 @@ GaussKronrod gaussKronrod15(const F& f, double a, double b) {
 
 // Halves the interval until the error is within the tolerance, at most `depth` times.
 template <class F>
-double integrate(const F& f, double a, double b, Tolerance tolerance, int depth = 12) {
+double integrate(const F& f, double a, double b, QuadratureTolerance tolerance, int depth = 12) {
     const GaussKronrod whole = gaussKronrod15(f, a, b);
     const double allowed = std::max(tolerance.absolute, tolerance.relative * std::abs(whole.value));
     if (depth == 0 || whole.error <= allowed) return whole.value;
     const double middle = 0.5 * (a + b);
     // A half may have the whole's error to itself only relative to what the whole is worth.
-    const Tolerance part{tolerance.relative, 0.5 * allowed};
+    const QuadratureTolerance part{tolerance.relative, 0.5 * allowed};
     return integrate(f, a, middle, part, depth - 1) + integrate(f, middle, b, part, depth - 1);
 }
 
@@ -71,7 +71,7 @@ double integrate(const F& f, double a, double b, Tolerance tolerance, int depth 
 // the integrand or its derivative jumps.
 template <class F>
 double integratePieces(const F& f, double a, double b, std::vector<double> breaks,
-                       Tolerance tolerance, int depth = 12) {
+                       QuadratureTolerance tolerance, int depth = 12) {
     std::sort(breaks.begin(), breaks.end());
     double sum = 0.0;
     double from = a;

@@ -1,0 +1,65 @@
+// Reflectance and transmission of surfaces: one interface for all models of models.def. The
+// conventions (frame, radiance, what a weight of zero means) stand in params.glsl.
+#ifndef GP_SHADING_BSDF_BSDF_GLSL
+#define GP_SHADING_BSDF_BSDF_GLSL
+#include "shading/bsdf/params.glsl"
+
+#define BSDF_MODEL_FILES
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL_FILES
+
+// White Lambert; every parameter has the value that switches its feature off.
+BsdfParams bsdf_default() {
+    return bsdf_params_of(MODEL_LAMBERT);
+}
+
+// f |cos_i| and the density of wi.
+BsdfValue bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
+    switch (m.model) {
+#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, reference) \
+    case number: return eval(m, wo, wi);
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL
+    default: break;
+    }
+    return bsdf_no_value();
+}
+
+// A direction wi for the given wo; u_lobe chooses the lobe, u the direction, both in [0, 1).
+BsdfSample bsdf_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
+    switch (m.model) {
+#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, reference) \
+    case number: return sample_fn(m, wo, u_lobe, u);
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL
+    default: break;
+    }
+    return bsdf_no_sample();
+}
+
+// Directional albedo, approximately: for guide images and for choosing, never for the light itself.
+vec3 bsdf_albedo(IN(BsdfParams) m, float cos_o) {
+    switch (m.model) {
+#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, reference) \
+    case number: return albedo(m, cos_o);
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL
+    default: break;
+    }
+    return vec3(0.0f);
+}
+
+// Every lobe is so narrow that light sampling is pointless: the integrator then leaves it out and
+// gives BSDF sampling the full weight.
+bool bsdf_is_specular(IN(BsdfParams) m) {
+    switch (m.model) {
+#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, reference) \
+    case number: return is_specular(m);
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL
+    default: break;
+    }
+    return false;
+}
+
+#endif
