@@ -5,10 +5,29 @@
 
 #include "shading/constants.glsl"
 #include "shading/frame.glsl"
+#include "shading/colour.glsl"
+#include "shading/sh.glsl"
+
 #include "shading/sampling/hash.glsl"
 #include "shading/sampling/sobol.glsl"
 #include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
+#include "shading/sampling/mis.glsl"
+#include "shading/sampling/pixel_filter.glsl"
+#include "shading/sampling/spherical_rectangle.glsl"
+
+#include "shading/ray_cone.glsl"
+#include "shading/ray_offset.glsl"
+#include "shading/camera.glsl"
+#include "shading/medium.glsl"
+
+#include "shading/light/light_sample.glsl"
+#include "shading/light/directional.glsl"
+#include "shading/light/sphere.glsl"
+#include "shading/light/rectangle.glsl"
+#include "shading/light/triangle.glsl"
+#include "shading/light/environment.glsl"
+#include "shading/light/tree.glsl"
 
 #include "shading/fresnel.glsl"
 #include "shading/iridescence.glsl"

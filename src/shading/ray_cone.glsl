@@ -1,0 +1,55 @@
+// Ray cones: the footprint of a pixel carried along its path in two numbers, for the level of
+// detail of textures.
+// [Akenine-Moller et al. 2021, "Improved Shader and Texture Level of Detail Using Ray Cones",
+//  JCGT 10(1)]
+#ifndef GP_SHADING_RAY_CONE_GLSL
+#define GP_SHADING_RAY_CONE_GLSL
+
+struct RayCone {
+    float width;   // at the ray's origin, metres; negative after a focus
+    float spread;  // full angle, radians, for small angles; negative while the cone narrows
+};
+
+// The cone at the hit, which is also the start of the next ray.
+RayCone ray_cone_propagate(IN(RayCone) cone, float distance) {
+    RayCone next;
+    next.width = cone.width + cone.spread * distance;
+    next.spread = cone.spread;
+    return next;
+}
+
+// A bounce off a rough surface widens the cone by the spread of its lobe. Its half vector has slopes
+// of standard deviation alpha / sqrt(2) (exactly so for Beckmann; the infinite variance of GGX comes
+// from a tail that texture filtering should not follow), a reflection turns by twice the angle of
+// the half vector, and a lobe counts from minus to plus one deviation. Variances add up.
+RayCone ray_cone_bounce(IN(RayCone) cone, float alpha) {
+    float lobe = 4.0f * atan(alpha * 0.70710678f);
+    RayCone next;
+    next.width = cone.width;
+    next.spread = sqrt(cone.spread * cone.spread + lobe * lobe);
+    // A narrowing cone goes on narrowing unless the lobe is the wider of the two.
+    if (cone.spread < 0.0f && lobe < -cone.spread) {
+        next.spread = -next.spread;
+    }
+    return next;
+}
+
+// The part of the level of detail that belongs to a triangle: half the logarithm of the area in
+// texture coordinates over that in the world. It may be stored, since textures come in later.
+// [Akenine-Moller et al. 2019, Ray Tracing Gems, chapter 20, equation 3, without texture size]
+float triangle_lod(float uv_area, float world_area) {
+    return 0.5f * log2(max(uv_area, 1.0e-20f) / max(world_area, 1.0e-20f));
+}
+
+// The level of a texture of `size` texels where the cone meets a surface under cos_theta; 0 or less
+// is the finest. We depart from the paper in one place: it divides the width by the cosine, which
+// gives the long axis of the footprint; we take the geometric mean of both axes, as the many samples
+// of a pixel average along the long one anyway and a blurred texture cannot be sharpened again.
+// [Akenine-Moller et al. 2019, Ray Tracing Gems, chapter 20, equation 34]
+float ray_cone_lod(IN(RayCone) cone, float triangle_lod_value, float cos_theta, vec2 size) {
+    float width = max(abs(cone.width), 1.0e-20f);
+    float cosine = max(abs(cos_theta), 1.0e-4f);
+    return triangle_lod_value + 0.5f * log2(size.x * size.y) + log2(width) - 0.5f * log2(cosine);
+}
+
+#endif
