@@ -3,4 +3,5 @@
 #define GP_LANG_GLSL
 #define IN(T) in T
 #define INOUT(T) inout T
+#define LET_REF(T) T
 #endif

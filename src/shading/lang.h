@@ -14,6 +14,8 @@
 // A parameter that a function reads but does not copy, and the one kind that it may change.
 #define IN(T) const T&
 #define INOUT(T) T&
+// A local name for what a function returns, without a copy where the language can.
+#define LET_REF(T) const T&
 
 // Included as  namespace gp::shading { namespace { using namespace glm;  …files…  } }
 // by shading/shading.h; unused functions are the normal case.

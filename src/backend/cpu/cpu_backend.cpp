@@ -1,0 +1,152 @@
+// The CPU backend: Embree for rays, oneTBB for threads, one instruction set for the whole device.
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include <fmt/format.h>
+#include <pmmintrin.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <xmmintrin.h>
+
+#include "backend/cpu/cpu_backend.h"
+
+namespace gp::cpu {
+
+extern const IsaKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
+
+namespace {
+
+constexpr uint32_t tileSize = 8;
+
+struct InstructionSet {
+    const IsaKernels* kernels;
+    const char* embreeName;
+    bool here;  // this processor has it
+};
+
+std::vector<InstructionSet> instructionSets() {
+    __builtin_cpu_init();
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                      __builtin_cpu_supports("bmi2");
+    const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+    return {{&kernelsAvx512, "avx512", avx512}, {&kernelsAvx2, "avx2", avx2},
+            {&kernelsX86_64, "sse2", true}};
+}
+
+InstructionSet chooseInstructionSet(const std::string& wanted) {
+    for (const InstructionSet& set : instructionSets()) {
+        if (wanted.empty() && set.here) return set;
+        if (wanted != set.kernels->name) continue;
+        if (!set.here)
+            throw std::runtime_error(fmt::format("this processor has no {} instructions", wanted));
+        return set;
+    }
+    throw std::runtime_error(fmt::format(
+        "unknown instruction set \"{}\": x86-64, avx2 and avx512 are there", wanted));
+}
+
+// Embree wants both set on every thread that traces.
+struct DenormalsOff {
+    unsigned before = _mm_getcsr();
+    DenormalsOff() {
+        _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+        _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+    }
+    ~DenormalsOff() { _mm_setcsr(before); }
+};
+
+shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan) {
+    shared::FrameConstants f{};
+    f.width = plan.width, f.height = plan.height;
+    f.seed = uint32_t(plan.seed) ^ (uint32_t(plan.seed >> 32) * 0x9E3779B9u);
+    f.max_bounces = plan.maxBounces;
+    f.diffuse_shading = plan.shading == ShadingMode::diffuse;
+    f.russian_roulette = plan.russianRoulette;
+    f.pixel_filter = uint32_t(plan.pixelFilter), f.pixel_filter_radius = plan.pixelFilterRadius;
+    f.clamp_indirect = plan.clampIndirect;
+    f.directional_lights = view.directionalLights;
+    f.tree_nodes = view.lightTreeNodes;
+    f.environment_power = view.environmentPower;
+    f.environment_color = view.environmentColor;
+    f.environment_cos = view.environmentCos, f.environment_sin = view.environmentSin;
+    f.environment_width = view.environment.width, f.environment_height = view.environment.height;
+    return f;
+}
+
+}  // namespace
+
+CpuBackend::CpuBackend(const BackendOptions& options)
+    : kernels_(*chooseInstructionSet(options.instructionSet).kernels),
+      threads_(options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
+      arena_(int(threads_)) {
+    const InstructionSet set = chooseInstructionSet(options.instructionSet);
+    const std::string config = options.instructionSet.empty()
+        ? "set_affinity=0" : fmt::format("set_affinity=0,isa={}", set.embreeName);
+    device_.reset(rtcNewDevice(config.c_str()));
+    if (!device_) throw std::runtime_error("Embree could not make a device");
+    rtcSetDeviceMemoryMonitorFunction(device_.get(), [](void* bytes, ssize_t change, bool) {
+        *static_cast<std::atomic<int64_t>*>(bytes) += change;
+        return true;
+    }, &embreeBytes_);
+}
+
+std::string CpuBackend::name() const {
+    const long version = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_VERSION);
+    return fmt::format("CPU (Embree {}.{}.{}, {}, {} thread{})", version / 10000, version / 100 % 100,
+                       version % 100, kernels_.name, threads_, threads_ == 1 ? "" : "s");
+}
+
+std::unique_ptr<BackendScene> CpuBackend::newScene() {
+    return std::make_unique<CpuScene>(device_.get(), kernels_, embreeBytes_, arena_);
+}
+
+RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
+                                 uint32_t count, FrameImages& images, const std::atomic<bool>& cancel) {
+    const SceneView& view = static_cast<const CpuScene&>(scene).view();
+    const shared::FrameConstants frame = frameConstants(view, plan);
+    const uint32_t tilesX = (plan.width + tileSize - 1) / tileSize;
+    const uint32_t tilesY = (plan.height + tileSize - 1) / tileSize;
+    tbb::combinable<RayCounts> counts;
+    arena_.execute([&] {
+        tbb::parallel_for(0u, tilesX * tilesY, [&](uint32_t tile) {
+            if (cancel.load(std::memory_order_relaxed)) return;
+            const DenormalsOff denormalsOff;
+            TileJob job{};
+            job.scene = &view, job.frame = &frame, job.camera = &plan.camera, job.sums = images.sums.data();
+            job.x0 = tile % tilesX * tileSize, job.y0 = tile / tilesX * tileSize;
+            job.x1 = std::min(job.x0 + tileSize, plan.width), job.y1 = std::min(job.y0 + tileSize, plan.height);
+            job.firstSample = first, job.sampleCount = count;
+            job.recorder = recorder_;
+            const TileCounts c = kernels_.traceTile(job);
+            RayCounts& sum = counts.local();
+            sum.camera += c.camera, sum.bounce += c.bounce, sum.shadow += c.shadow;
+        }, tbb::simple_partitioner());
+    });
+    return counts.combine([](RayCounts a, const RayCounts& b) {
+        return RayCounts{a.camera + b.camera, a.bounce + b.bounce, a.shadow + b.shadow};
+    });
+}
+
+void CpuBackend::tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) {
+    images.display.resize(images.pixelCount());
+    constexpr size_t run = 4096;
+    arena_.execute([&] {
+        tbb::parallel_for(size_t(0), (images.pixelCount() + run - 1) / run, [&](size_t i) {
+            const size_t begin = i * run, n = std::min(run, images.pixelCount() - begin);
+            kernels_.tonemap(&images.sums[begin], &images.display[begin], n, exposureEv, uint32_t(tonemap));
+        });
+    });
+}
+
+}  // namespace gp::cpu
+
+namespace gp {
+
+std::unique_ptr<Backend> newCpuBackend(const BackendOptions& options) {
+    return std::make_unique<cpu::CpuBackend>(options);
+}
+
+}  // namespace gp

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include "backend/cpu/cpu_scene.h"
+
+namespace gp::cpu {
+
+class CpuBackend final : public Backend {
+public:
+    explicit CpuBackend(const BackendOptions& options);
+
+    std::string name() const override;
+    std::unique_ptr<BackendScene> newScene() override;
+    RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first, uint32_t count,
+                         FrameImages& images, const std::atomic<bool>& cancel) override;
+    void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;
+
+    // For the benchmark: rays are noted here as they are traced; one thread only. Null: no more.
+    void setRecorder(RayRecorder* recorder) { recorder_ = recorder; }
+
+private:
+    const IsaKernels& kernels_;
+    uint32_t threads_;
+    tbb::task_arena arena_;
+    std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end
+    DevicePtr device_;
+    RayRecorder* recorder_ = nullptr;
+};
+
+}  // namespace gp::cpu

@@ -1,0 +1,321 @@
+#include "backend/cpu/cpu_scene.h"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include <tbb/parallel_for_each.h>
+
+#include "shading/shading.h"
+
+namespace gp::cpu {
+
+using namespace gp::shared;
+
+static_assert(sizeof(ShadingVertex) == 16, "isa/kernels.h reads it as PackedVertex");
+
+void CpuScene::update(const Scene& scene) {
+    if (built_ && revision_ == scene.revision) return;
+    arena_.execute([&] { rebuild(scene); });
+    if (rtcGetDeviceError(device_) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    revision_ = scene.revision;
+    built_ = true;
+}
+
+void CpuScene::rebuild(const Scene& scene) {
+    updateMeshes(scene);
+    fillMaterials(scene);
+    lights_ = makeLightTable(scene);
+    fillInstances(scene);
+    fillEnvironment(scene);
+    fillView(scene);
+}
+
+// ------------------------------------------------------------------------------- geometry
+
+void CpuScene::updateMeshes(const Scene& scene) {
+    for (auto& [key, s] : meshes_) s.used = false;
+    std::vector<std::pair<MeshStructure*, bool>> work;  // and whether a refit is enough
+    geometries_.clear();
+    for (const auto& instance : scene.instances) {
+        const Material& material = instance->surface();
+        MeshStructure& s = meshes_[instance->mesh.get()];
+        const bool filtered = material.alphaMode != AlphaMode::opaque;
+        if (!s.used) {
+            s.used = true;
+            s.index = uint32_t(geometries_.size());
+            const Mesh& m = *instance->mesh;
+            geometries_.push_back({m.triangles.data(), m.positions.data(), m.vertices.data(),
+                                   m.uv1.empty() ? nullptr : m.uv1.data(),
+                                   m.colors.empty() ? nullptr : m.colors.data()});
+            const bool fresh = !s.scene;
+            s.mesh = instance->mesh;
+            if (fresh || s.revision != m.revision) {
+                const bool sameTopology = !fresh && s.triangleCount == m.triangles.size() &&
+                                          s.vertexCount == m.vertexCount();
+                work.emplace_back(&s, sameTopology);
+            }
+        }
+        if (filtered && !s.filtered) {
+            s.filtered = true;
+            if (s.scene && (work.empty() || work.back().first != &s)) work.emplace_back(&s, false);
+        }
+    }
+    std::erase_if(meshes_, [](const auto& entry) { return !entry.second.used; });
+    tbb::parallel_for_each(work, [&](auto& item) { buildMesh(*item.first, item.second); });
+}
+
+void CpuScene::attachBuffers(MeshStructure& s) {
+    const Mesh& m = *s.mesh;
+    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               m.positions.data(), 0, sizeof(glm::vec3), m.vertexCount());
+    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               m.triangles.data(), 0, sizeof(glm::uvec3), m.triangles.size());
+    s.positions = m.positions.data(), s.triangles = m.triangles.data();
+    s.vertexCount = m.vertexCount(), s.triangleCount = m.triangles.size();
+}
+
+void CpuScene::buildMesh(MeshStructure& s, bool refit) {
+    const bool dynamic = s.mesh->kind == MeshKind::dynamic;
+    if (!s.scene) {
+        s.scene.reset(rtcNewScene(device_));
+        s.geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        if (!s.scene || !s.geometry) throw std::bad_alloc();
+        rtcSetSceneFlags(s.scene.get(), dynamic ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
+        rtcAttachGeometryByID(s.scene.get(), s.geometry, 0);
+        rtcReleaseGeometry(s.geometry);  // the scene keeps it
+        refit = false;
+    }
+    const RTCBuildQuality quality = !dynamic ? RTC_BUILD_QUALITY_HIGH
+        : refit ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_LOW;
+    // Static scenes are built whole, so the scene's quality counts; dynamic ones by geometry.
+    rtcSetSceneBuildQuality(s.scene.get(), dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
+    rtcSetGeometryBuildQuality(s.geometry, quality);
+    attachBuffers(s);
+    if (s.filtered) {
+        rtcSetGeometryIntersectFilterFunction(s.geometry, kernels_.alphaFilter);
+        rtcSetGeometryOccludedFilterFunction(s.geometry, kernels_.alphaFilter);
+    }
+    rtcCommitGeometry(s.geometry);
+    rtcCommitScene(s.scene.get());
+    s.revision = s.mesh->revision;
+}
+
+void CpuScene::fillInstances(const Scene& scene) {
+    top_.reset(rtcNewScene(device_));
+    if (!top_) throw std::bad_alloc();
+    rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_NONE);
+    rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_MEDIUM);
+    instances_.assign(scene.instances.size(), {});
+    for (uint32_t i = 0; i < instances_.size(); ++i) {
+        const Instance& source = *scene.instances[i];
+        const glm::mat4x3& m = source.worldFromObject;
+        const MeshStructure& s = meshes_.at(source.mesh.get());
+        InstanceRecord& r = instances_[i];
+        // Columns of the cofactor matrix: cross products of the columns of the linear part.
+        const glm::vec3 cx = glm::cross(m[1], m[2]), cy = glm::cross(m[2], m[0]), cz = glm::cross(m[0], m[1]);
+        const float sign = glm::dot(m[0], cx) < 0 ? -1.0f : 1.0f;
+        for (int row = 0; row < 3; ++row) {
+            r.world_from_object[row] = {m[0][row], m[1][row], m[2][row], m[3][row]};
+            r.normal_from_object[row] = sign * glm::vec4(cx[row], cy[row], cz[row], 0);
+        }
+        r.mirrored = sign < 0;
+        r.material = materialIndex_.at(&source.surface());
+        r.geometry = s.index;
+        r.light_map = lights_.lightMap[i];
+        if (source.mesh->triangles.empty()) continue;
+        RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(g, s.scene.get());
+        rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &m[0][0]);
+        rtcSetGeometryMask(g, source.visibility);
+        rtcCommitGeometry(g);
+        rtcAttachGeometryByID(top_.get(), g, i);
+        rtcReleaseGeometry(g);
+    }
+    attachLights(scene);
+    rtcCommitScene(top_.get());
+}
+
+// ------------------------------------------------------------------------------- materials
+
+void CpuScene::fillSlot(MaterialRecord& r, TextureSlot& slot, uint32_t bit, const TextureUse& use) {
+    if (!use.texture) return;
+    const auto [it, fresh] = textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
+    if (fresh) {
+        const Texture& t = *use.texture;
+        TextureView v{};
+        v.width = t.levels[0].width, v.height = t.levels[0].height;
+        v.levelCount = uint32_t(std::min<size_t>(t.levels.size(), std::size(v.levels)));
+        for (size_t i = 0; i < std::size(v.levels); ++i)
+            v.levels[i] = reinterpret_cast<const uint8_t*>(t.pixels.data()) +
+                          t.levels[std::min<size_t>(i, v.levelCount - 1)].offset;
+        v.halfLog2Texels = 0.5f * std::log2(float(v.width) * float(v.height));
+        v.isFloat = t.format == PixelFormat::rgba32f, v.isSrgb = t.colorSpace == ColorSpace::srgb;
+        v.wrapU = uint8_t(t.wrapU), v.wrapV = uint8_t(t.wrapV);
+        v.magNearest = t.magFilter == Filter::nearest, v.minNearest = t.minFilter == Filter::nearest;
+        textures_.push_back(v);
+    }
+    r.textures |= bit;
+    slot.texture_index = it->second;
+    slot.tex_coord = use.texCoord;
+    const glm::mat3x2& m = use.uvTransform;
+    slot.row_u = {m[0][0], m[1][0], m[2][0], 0};
+    slot.row_v = {m[0][1], m[1][1], m[2][1], 0};
+}
+
+void CpuScene::fillSlots(MaterialRecord& r, const Material& m) {
+    fillSlot(r, r.base_color_slot, SLOT_BASE_COLOR, m.baseColorTexture);
+    fillSlot(r, r.metallic_roughness_slot, SLOT_METALLIC_ROUGHNESS, m.metallicRoughnessTexture);
+    fillSlot(r, r.normal_slot, SLOT_NORMAL, m.normalTexture);
+    fillSlot(r, r.emission_slot, SLOT_EMISSION, m.emissionTexture);
+    fillSlot(r, r.specular_slot, SLOT_SPECULAR, m.specularTexture);
+    fillSlot(r, r.specular_color_slot, SLOT_SPECULAR_COLOR, m.specularColorTexture);
+    fillSlot(r, r.coat_slot, SLOT_COAT, m.coatTexture);
+    fillSlot(r, r.coat_roughness_slot, SLOT_COAT_ROUGHNESS, m.coatRoughnessTexture);
+    fillSlot(r, r.coat_normal_slot, SLOT_COAT_NORMAL, m.coatNormalTexture);
+    fillSlot(r, r.sheen_color_slot, SLOT_SHEEN_COLOR, m.sheenColorTexture);
+    fillSlot(r, r.sheen_roughness_slot, SLOT_SHEEN_ROUGHNESS, m.sheenRoughnessTexture);
+    fillSlot(r, r.transmission_slot, SLOT_TRANSMISSION, m.transmissionTexture);
+    fillSlot(r, r.anisotropy_slot, SLOT_ANISOTROPY, m.anisotropyTexture);
+    fillSlot(r, r.iridescence_slot, SLOT_IRIDESCENCE, m.iridescenceTexture);
+    fillSlot(r, r.iridescence_thickness_slot, SLOT_IRIDESCENCE_THICKNESS, m.iridescenceThicknessTexture);
+}
+
+static uint32_t materialFlags(const Material& m) {
+    uint32_t flags = 0;
+    if (m.doubleSided) flags |= MATERIAL_DOUBLE_SIDED;
+    if (m.unlit) flags |= MATERIAL_UNLIT;
+    if (m.transmission > 0) flags |= MATERIAL_TRANSMISSIVE;
+    if (m.transmission > 0 && !m.thinWalled) flags |= MATERIAL_SOLID;
+    if (shading::luminance(m.emission) > 0) flags |= MATERIAL_EMISSIVE;
+    if (m.alphaMode == AlphaMode::mask) flags |= MATERIAL_ALPHA_MASK;
+    if (m.alphaMode == AlphaMode::blend) flags |= MATERIAL_ALPHA_BLEND;
+    if (m.specularTexture.texture || m.specularColorTexture.texture || m.coat > 0 ||
+        m.sheenColor != glm::vec3(0) || m.transmission > 0 || m.iridescence > 0)
+        flags |= MATERIAL_LAYERED;
+    return flags;
+}
+
+void CpuScene::fillMaterials(const Scene& scene) {
+    materials_.clear(), materialIndex_.clear(), materialOwners_.clear();
+    textures_.clear(), textureIndex_.clear();
+    for (const auto& instance : scene.instances) {
+        const Material& m = instance->surface();
+        if (!materialIndex_.try_emplace(&m, uint32_t(materials_.size())).second) {
+            if (!instance->mesh->colors.empty())
+                materials_[materialIndex_[&m]].flags |= MATERIAL_VERTEX_COLOR;
+            continue;
+        }
+        materialOwners_.push_back(instance->surfacePtr());
+        MaterialRecord r{};
+        r.base_color = m.baseColor, r.emission = m.emission, r.metallic = m.metallic;
+        r.specular_color = m.specularColor, r.roughness = m.roughness;
+        r.sheen_color = m.sheenColor, r.sheen_roughness = m.sheenRoughness;
+        r.attenuation = m.thinWalled ? glm::vec3(0)
+            : shading::medium_absorption(m.attenuationColor, m.attenuationDistance);
+        r.ior = m.ior, r.specular = m.specular, r.coat = m.coat, r.coat_roughness = m.coatRoughness;
+        r.normal_scale = m.normalScale, r.coat_normal_scale = m.coatNormalScale;
+        r.transmission = m.transmission;
+        r.anisotropy = m.anisotropy, r.anisotropy_rotation = m.anisotropyRotation;
+        r.iridescence = m.iridescence, r.iridescence_ior = m.iridescenceIor;
+        r.iridescence_thickness_min_nm = m.iridescenceThicknessMinNm;
+        r.iridescence_thickness_max_nm = m.iridescenceThicknessMaxNm;
+        r.alpha_cutoff = m.alphaCutoff;
+        r.flags = materialFlags(m);
+        if (!instance->mesh->colors.empty()) r.flags |= MATERIAL_VERTEX_COLOR;
+        r.model = shading::MODEL_GLTF;
+        fillSlots(r, m);
+        materials_.push_back(r);
+    }
+}
+
+// ------------------------------------------------------------------------------- lights
+
+// Sphere and rectangle lights are shapes that rays meet: four geometries after the instances, those that
+// the camera sees and those that it does not.
+void CpuScene::attachLights(const Scene& scene) {
+    std::vector<glm::vec4> spheres[2];
+    std::vector<glm::vec3> corners[2];
+    for (auto& table : lightOfPrimitive_) table.clear();
+    uint32_t index = lights_.directionalCount;
+    for (const auto& light : scene.lights) {
+        if (light->kind == LightKind::directional || !(shading::luminance(light->emission) > 0)) continue;
+        const int hidden = light->visible ? 0 : 1;
+        if (light->kind == LightKind::rectangle) {
+            const glm::vec3 p = light->position, u = light->edgeU, v = light->edgeV;
+            for (glm::vec3 corner : {p, p + u, p + u + v, p, p + u + v, p + v}) corners[hidden].push_back(corner);
+            lightOfPrimitive_[2 + hidden].insert(lightOfPrimitive_[2 + hidden].end(), 2, index);
+        } else if (light->radius > 0) {
+            spheres[hidden].emplace_back(light->position, light->radius);
+            lightOfPrimitive_[hidden].push_back(index);
+        }
+        ++index;
+    }
+    const uint32_t first = uint32_t(instances_.size());
+    const auto attach = [&](RTCGeometry g, uint32_t id, int hidden) {
+        rtcSetGeometryMask(g, (hidden ? 0u : visibleToCamera) | visibleToBounce | visibleToShadow);
+        rtcCommitGeometry(g);
+        rtcAttachGeometryByID(top_.get(), g, first + id);
+        rtcReleaseGeometry(g);
+    };
+    const auto fill = [](RTCGeometry g, RTCBufferType type, RTCFormat format, size_t stride, size_t count,
+                         const void* source) {
+        void* buffer = rtcSetNewGeometryBuffer(g, type, 0, format, stride, count);
+        if (!buffer) throw std::bad_alloc();
+        std::memcpy(buffer, source, stride * count);
+    };
+    for (int hidden = 0; hidden < 2; ++hidden) {
+        if (!spheres[hidden].empty()) {
+            RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+            fill(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), spheres[hidden].size(),
+                 spheres[hidden].data());
+            attach(g, uint32_t(hidden), hidden);
+        }
+        if (!corners[hidden].empty()) {
+            RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+            std::vector<uint32_t> order(corners[hidden].size());
+            for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+            fill(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), order.size(), corners[hidden].data());
+            fill(g, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, sizeof(glm::uvec3), order.size() / 3, order.data());
+            attach(g, uint32_t(2 + hidden), hidden);
+        }
+    }
+}
+
+void CpuScene::fillEnvironment(const Scene& scene) {
+    const auto& image = scene.environment.image;
+    if (image == environmentImage_) return;
+    environmentImage_ = image;
+    environment_ = image ? makeEnvironmentTable(*image) : EnvironmentTable{};
+}
+
+// ------------------------------------------------------------------------------- the view
+
+void CpuScene::fillView(const Scene& scene) {
+    view_ = {};
+    view_.scene = top_.get();
+    view_.instances = instances_.data();
+    view_.geometries = geometries_.data();
+    view_.materials = materials_.data();
+    view_.textures = textures_.data();
+    view_.lights = lights_.lights.data();
+    view_.lightTree = lights_.tree.data();
+    view_.lightOfTriangle = lights_.lightOfTriangle.data();
+    for (size_t i = 0; i < std::size(lightOfPrimitive_); ++i) view_.lightOfPrimitive[i] = lightOfPrimitive_[i].data();
+    view_.instanceCount = uint32_t(instances_.size());
+    view_.lightCount = uint32_t(lights_.lights.size());
+    view_.lightTreeNodes = uint32_t(lights_.tree.size());
+    view_.directionalLights = lights_.directionalCount;
+    const Environment& e = scene.environment;
+    const bool black = e.image && environment_.empty();
+    view_.environmentColor = black ? glm::vec3(0) : e.color;
+    view_.environmentCos = std::cos(e.rotation), view_.environmentSin = std::sin(e.rotation);
+    const float mean = e.image ? float(environment_.meanLuminance) : 1.0f;
+    view_.environmentPower = 3.14159265f * mean * shading::luminance(view_.environmentColor);
+    if (!environment_.empty() && e.image)
+        view_.environment = {e.image->floats(), environment_.width, environment_.height,
+                             environment_.rowCdf.data(), environment_.columnCdf.data(),
+                             environment_.rowGuide.data(), environment_.columnGuide.data()};
+}
+
+}  // namespace gp::cpu

@@ -1,0 +1,133 @@
+// The hot code: the kernels of src/kernels with the CPU's resource functions around them. Compiled once
+// for each instruction set (isa/*.cpp); everything has internal linkage, so that the linker cannot
+// hand one set's code to another.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "backend/cpu/scene_view.h"
+#include "scene/camera.h"
+#include "shading/shading.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+namespace gp::cpu {
+namespace {
+
+using namespace glm;
+using namespace gp::shading;
+using namespace gp::shared;
+
+#include "backend/cpu/texture_sampling.h"
+
+// Ray masks: VisibilityBits of scene/scene.h.
+constexpr uint32_t rayCamera = 1, rayBounce = 2, rayShadow = 4;
+
+// As scene/mesh.h lays it out.
+struct PackedVertex {
+    uint32_t normal, tangent;
+    vec2 uv;
+};
+
+struct Kernels {
+    const SceneView& view;
+    const FrameConstants& frame;
+    QueryContext query{};
+    TileCounts counts{};
+    RayRecorder* recorder = nullptr;
+    uint32_t pathSeed = 0;  // of the path being traced: each of its rays gets an alpha seed from it
+
+    Kernels(const SceneView& v, const FrameConstants& f) : view(v), frame(f) {}
+
+    // Frame and tables.
+    const FrameConstants& load_frame() const { return frame; }
+    const InstanceRecord& load_instance(uint i) const { return view.instances[i]; }
+    const MaterialRecord& load_material(uint i) const { return view.materials[i]; }
+    const LightRecord& load_light(uint i) const { return view.lights[i]; }
+    const LightTreeNode& load_light_node(uint i) const { return view.lightTree[i]; }
+    uint load_light_of_triangle(uint instance, uint primitive) const {
+        const uint map = view.instances[instance].light_map;
+        return map == NO_INDEX ? NO_INDEX : view.lightOfTriangle[map + primitive];
+    }
+
+    // Geometry.
+    TriangleCorners load_triangle(uint geometry, uint primitive) const {
+        const GeometryView& g = view.geometries[geometry];
+        const uvec3 t = g.triangles[primitive];
+        const auto* vertices = static_cast<const PackedVertex*>(g.vertices);
+        const PackedVertex &a = vertices[t.x], &b = vertices[t.y], &c = vertices[t.z];
+        TriangleCorners r;
+        r.p0 = g.positions[t.x], r.p1 = g.positions[t.y], r.p2 = g.positions[t.z];
+        r.normal0 = a.normal, r.normal1 = b.normal, r.normal2 = c.normal;
+        r.tangent0 = a.tangent, r.tangent1 = b.tangent, r.tangent2 = c.tangent;
+        r.uv0 = a.uv, r.uv1 = b.uv, r.uv2 = c.uv;
+        r.pad0 = 0;
+        return r;
+    }
+    vec2 load_uv1(uint geometry, uint primitive, float u, float v) const {
+        const GeometryView& g = view.geometries[geometry];
+        if (!g.uv1) return vec2(0);
+        const uvec3 t = g.triangles[primitive];
+        return interpolate(g.uv1[t.x], g.uv1[t.y], g.uv1[t.z], u, v);
+    }
+    vec4 load_vertex_color(uint geometry, uint primitive, float u, float v) const {
+        const GeometryView& g = view.geometries[geometry];
+        if (!g.colors) return vec4(1);
+        const uvec3 t = g.triangles[primitive];
+        return (vec4(g.colors[t.x]) * (1.0f - u - v) + vec4(g.colors[t.y]) * u + vec4(g.colors[t.z]) * v) *
+               (1.0f / 255.0f);
+    }
+    vec4 sample_texture(uint texture, vec2 uv, float lod, float uLod) const {
+        return sampleTexture(view.textures[texture], uv, lod, uLod);
+    }
+
+    // Environment.
+    vec3 load_environment(vec2 uv) const {
+        const EnvironmentView& e = view.environment;
+        const int w = int(e.width), h = int(e.height);
+        const float fx = uv.x * float(w) - 0.5f, fy = uv.y * float(h) - 0.5f;
+        const int ix = floorToInt(fx), iy = floorToInt(fy);
+        const float ax = fx - float(ix), ay = fy - float(iy);
+        const auto texel = [&](int x, int y) {
+            const float* p = e.pixels + 4 * (size_t(wrapTexel(y, h, 1)) * size_t(w) + size_t(wrapTexel(x, w, 0)));
+            return vec3(p[0], p[1], p[2]);
+        };
+        return mix(mix(texel(ix, iy), texel(ix + 1, iy), ax), mix(texel(ix, iy + 1), texel(ix + 1, iy + 1), ax), ay);
+    }
+    float load_environment_row_cdf(uint i) const { return view.environment.rowCdf[i]; }
+    uint load_environment_row_guide(uint i) const { return view.environment.rowGuide[i]; }
+    float load_environment_column_cdf(uint row, uint i) const {
+        return view.environment.columnCdf[size_t(row) * (view.environment.width + 1) + i];
+    }
+    uint load_environment_column_guide(uint row, uint i) const {
+        return view.environment.columnGuide[size_t(row) * view.environment.width + i];
+    }
+
+    // Rays.
+    Hit trace_closest(const Ray& ray);
+    float trace_visible(const Ray& ray);
+    void trace_camera(const Ray* rays, const uint32_t* alphaSeeds, Hit* hits, uint32_t count);
+
+    uint32_t nextAlphaSeed() { return pathSeed = hash_u32(pathSeed + 0x9E3779B9u); }
+    void record(uint32_t kind, const Ray& ray) const;
+
+#include "kernels/environment.glsl"
+#include "kernels/surface.glsl"
+#include "kernels/material.glsl"
+#include "kernels/light_choice.glsl"
+#include "kernels/path.glsl"
+#include "kernels/primary.glsl"
+#include "kernels/tonemap.glsl"
+};
+
+#include "backend/cpu/ray_tracing.h"
+#include "backend/cpu/tile.h"
+
+}  // namespace
+}  // namespace gp::cpu
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,96 @@
+// A scene as the hot code sees it: plain pointers to flat tables that CpuScene owns. This header is
+// compiled for several instruction sets, so it holds no inline code and no standard containers.
+#pragma once
+
+#include <cstdint>
+
+#include "backend/cpu/embree_api.h"
+#include "frame/frame_images.h"
+#include "shared/scene_structs.h"
+
+namespace gp {
+struct Camera;
+}
+
+namespace gp::cpu {
+
+struct TextureView {
+    const uint8_t* levels[16];  // pixels of each level; the last is repeated
+    uint32_t width, height;     // of level 0
+    uint32_t levelCount;
+    float halfLog2Texels;       // 0.5 log2(width * height)
+    uint8_t isFloat, isSrgb, wrapU, wrapV;  // Wrap
+    uint8_t magNearest, minNearest;
+};
+
+// The vertex arrays of one mesh.
+struct GeometryView {
+    const glm::uvec3* triangles;
+    const glm::vec3* positions;
+    const void* vertices;       // gp::ShadingVertex: normal, tangent, uv
+    const glm::vec2* uv1;       // null: none
+    const glm::u8vec4* colors;  // null: none
+};
+
+// Latitude-longitude radiance and the table that it is chosen from: rows by their sum, then columns,
+// each by an inverted cumulative distribution with a guide that shortens the search.
+struct EnvironmentView {
+    const float* pixels;        // rgba; null: uniform
+    uint32_t width, height;
+    const float* rowCdf;        // height + 1
+    const float* columnCdf;     // height * (width + 1)
+    const uint16_t* rowGuide;   // height
+    const uint16_t* columnGuide;  // height * width
+};
+
+struct SceneView {
+    RTCScene scene;             // null: empty
+    const shared::InstanceRecord* instances;
+    const GeometryView* geometries;
+    const shared::MaterialRecord* materials;
+    const TextureView* textures;
+    const shared::LightRecord* lights;        // directional ones first
+    const shared::LightTreeNode* lightTree;
+    const uint32_t* lightOfTriangle;          // InstanceRecord::light_map + primitive
+    EnvironmentView environment;
+    const uint32_t* lightOfPrimitive[4];      // of the geometries after the instances: lights' shapes
+    uint32_t instanceCount, lightCount, lightTreeNodes, directionalLights;
+    glm::vec3 environmentColor;
+    float environmentCos, environmentSin;     // of its rotation
+    float environmentPower;                   // luminance of the irradiance, W/m^2
+};
+
+// Rays as they were traced, for the benchmark that traces them again with bare Embree.
+struct RecordedRay {
+    float origin[3], direction[3], tNear, tFar;
+};
+struct RayRecorder {
+    RecordedRay* rays[3];       // camera, bounce, shadow
+    uint64_t count[3], capacity;
+};
+
+// One rectangle of pixels and one run of samples.
+struct TileJob {
+    const SceneView* scene;
+    const shared::FrameConstants* frame;
+    const Camera* camera;
+    PixelSums* sums;
+    uint32_t x0, y0, x1, y1;
+    uint32_t firstSample, sampleCount;
+    RayRecorder* recorder;      // null: none
+};
+
+struct TileCounts {
+    uint64_t camera, bounce, shadow;
+};
+
+// The hot code, once for each instruction set (isa/).
+struct IsaKernels {
+    const char* name;
+    TileCounts (*traceTile)(const TileJob& job);
+    void (*tonemap)(const PixelSums* sums, glm::u8vec4* display, size_t count, float exposureEv,
+                    uint32_t tonemap);
+    void (*alphaFilter)(const RTCFilterFunctionNArguments* arguments);
+};
+
+}  // namespace gp::cpu

@@ -1,0 +1,83 @@
+// One rectangle of pixels: part of the hot code, included inside an unnamed namespace by isa/kernels.h.
+
+constexpr uint32_t maxTilePixels = 64;
+
+// Adds one path to its pixel.
+inline void addSample(PixelSums& s, const PathSample& r) {
+    const vec3 color = r.emission + r.direct + r.indirect;
+    // A path whose numbers broke (0 * infinity in a hostile scene) counts as black, not as NaN.
+    if (!(color.x + color.y + color.z < std::numeric_limits<float>::max())) {
+        ++s.samples;
+        return;
+    }
+    s.color += vec4(color, r.coverage);
+    s.colorSquared += color * color;
+    s.emission += r.emission, s.direct += r.direct;
+    if (r.instance != 0) {
+        s.depth += r.depth, s.hits += 1;
+        s.albedo += r.albedo, s.normal += r.normal;
+        s.roughness += r.roughness, s.metallic += r.metallic;
+    }
+    if (s.samples++ == 0) s.instance = r.instance;
+}
+
+struct TilePixels {
+    Ray rays[maxTilePixels];
+    Hit hits[maxTilePixels];
+    Sampler draws[maxTilePixels];
+    uint32_t alphaSeeds[maxTilePixels];
+    uvec2 pixels[maxTilePixels];
+};
+
+inline void traceSample(Kernels& k, const TileJob& job, const CameraParams& camera, TilePixels& t,
+                        uint32_t count, uint32_t sample) {
+    for (uint32_t i = 0; i < count; ++i) {
+        t.draws[i] = sampler_begin(t.pixels[i], sample, job.frame->seed);
+        t.rays[i] = k.camera_ray_of_pixel(camera, t.pixels[i], t.draws[i]);
+        t.alphaSeeds[i] = hash_u32(t.draws[i].pixel_hash + sample * 0x9E3779B9u);
+    }
+    k.trace_camera(t.rays, t.alphaSeeds, t.hits, count);
+    const RayCone cone = camera_ray_cone(camera, float(job.frame->height));
+    for (uint32_t i = 0; i < count; ++i) {
+        k.pathSeed = t.alphaSeeds[i];
+        PathSample r = k.trace_path(t.rays[i], t.hits[i], cone, t.draws[i]);
+        r.depth *= dot(t.rays[i].direction, camera.forward);
+        addSample(job.sums[size_t(t.pixels[i].y) * job.frame->width + t.pixels[i].x], r);
+    }
+}
+
+inline CameraParams cameraParams(const Camera& c, uint32_t width, uint32_t height) {
+    const bool perspective = c.kind == CameraKind::perspective;
+    const float halfY = perspective ? std::tan(0.5f * c.verticalFov) : 0.5f * c.orthographicHeight;
+    CameraParams p = camera_look_at(perspective ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC, c.position,
+                                    c.target, c.up, halfY, float(width) / float(height));
+    p.lens_radius = c.apertureRadius;
+    p.focus_distance = c.focusDistance > 0 ? c.focusDistance : length(c.target - c.position);
+    return p;
+}
+
+TileCounts traceTile(const TileJob& job) {
+    Kernels k(*job.scene, *job.frame);
+    k.recorder = job.recorder;
+    initQuery(k.query, job.scene, nullptr, false);
+    const CameraParams camera = cameraParams(*job.camera, job.frame->width, job.frame->height);
+    TilePixels t;
+    uint32_t count = 0;
+    for (uint32_t y = job.y0; y < job.y1; ++y)
+        for (uint32_t x = job.x0; x < job.x1; ++x) t.pixels[count++] = uvec2(x, y);
+    for (uint32_t s = 0; s < job.sampleCount; ++s)
+        traceSample(k, job, camera, t, count, job.firstSample + s);
+    return k.counts;
+}
+
+void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv, uint32_t tonemap) {
+    const float scale = std::exp2(exposureEv);
+    const SceneView view{};
+    const FrameConstants frame{};
+    const Kernels k(view, frame);
+    for (size_t i = 0; i < count; ++i) {
+        const float inv = sums[i].samples ? 1.0f / float(sums[i].samples) : 0.0f;
+        const vec4 c = k.tonemap_pixel(sums[i].color * inv, scale, tonemap);
+        display[i] = u8vec4(c * 255.0f + 0.5f);
+    }
+}

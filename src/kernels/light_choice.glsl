@@ -1,0 +1,210 @@
+// Which light a shadow ray goes to: the environment, a directional light, or one that the light tree
+// picks, in proportion to the irradiance that each may bring.
+// Based on: Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
+// Splitting", HPG; here without splitting, one light a choice.
+// Resources: load_frame, load_light, load_light_node; load_triangle_emission for textured lights.
+#ifndef GP_KERNELS_LIGHT_CHOICE_GLSL
+#define GP_KERNELS_LIGHT_CHOICE_GLSL
+#include "kernels/environment.glsl"
+#include "shading/colour.glsl"
+#include "shading/light/directional.glsl"
+#include "shading/light/rectangle.glsl"
+#include "shading/light/sphere.glsl"
+#include "shading/light/tree.glsl"
+#include "shading/light/triangle.glsl"
+#include "shared/scene_structs.glsl"
+
+#define LIGHT_ENVIRONMENT 0xFFFFFFFDu  // LightChoice::light of the environment
+
+struct LightChoice {
+    uint light;
+    float pmf;  // 0: there is none
+};
+
+// Irradiance, as luminance, that each group may bring to a point. normal: of a surface that only reflects,
+// on the viewer's side; the zero vector where light counts from all around.
+struct LightGroups {
+    float environment;
+    float directional;
+    float tree;
+};
+
+float directional_importance(IN(LightRecord) record, vec3 normal) {
+    bool all_around = normal == vec3(0.0f);
+    // A disk of light still reaches a surface whose horizon hides its centre.
+    float c = all_around ? 1.0f : dot(normal, -record.direction) + sin(record.radius);
+    return luminance(record.emission) * clamp(c, 0.0f, 1.0f);
+}
+
+LightNode light_node(IN(LightTreeNode) n) {
+    LightNode b;
+    b.lo = n.lo;
+    b.phi = n.phi;
+    b.hi = n.hi;
+    b.cos_theta_o = n.cos_theta_o;
+    b.w = n.w;
+    b.cos_theta_e = n.cos_theta_e;
+    b.two_sided = n.two_sided;
+    return b;
+}
+
+float light_tree_importance(uint node, vec3 p, vec3 normal) {
+    LET_REF(LightTreeNode) n = load_light_node(node);
+    return light_node_importance(light_node(n), p, normal, normal == vec3(0.0f) ? 1u : 0u);
+}
+
+LightGroups light_groups(vec3 p, vec3 normal) {
+    LET_REF(FrameConstants) f = load_frame();
+    LightGroups g;
+    g.environment = f.environment_power;
+    g.directional = 0.0f;
+    for (uint i = 0u; i < f.directional_lights; ++i) {
+        g.directional += directional_importance(load_light(i), normal);
+    }
+    g.tree = 0.0f;
+    if (f.tree_nodes != 0u) {
+        // Power over squared distance is pi times the irradiance of a Lambertian emitter.
+        float importance = light_tree_importance(0u, p, normal) * INV_PI;
+        float others = g.environment + g.directional;
+        // Bounds say little about what is hidden; no group that may matter is left to chance alone.
+        g.tree = others > 0.0f && importance > 0.0f ? clamp(importance, 0.25f * others, 8.0f * others) : importance;
+    }
+    return g;
+}
+
+float light_groups_sum(IN(LightGroups) g) {
+    return g.environment + g.directional + g.tree;
+}
+
+// Down the tree: u is stretched anew at every turn.
+LightChoice choose_from_tree(vec3 p, vec3 normal, float u, float pmf) {
+    LightChoice choice;
+    choice.light = NO_INDEX;
+    choice.pmf = 0.0f;
+    uint node = 0u;
+    while (load_light_node(node).is_leaf == 0u) {
+        uint second = load_light_node(node).child_or_light;
+        float a = light_tree_importance(node + 1u, p, normal);
+        float b = light_tree_importance(second, p, normal);
+        if (!(a + b > 0.0f)) { return choice; }
+        float q = a / (a + b);
+        if (u < q) {
+            u = min(u / q, ONE_MINUS_EPSILON);
+            pmf *= q;
+            node = node + 1u;
+        } else {
+            u = min((u - q) / (1.0f - q), ONE_MINUS_EPSILON);
+            pmf *= 1.0f - q;
+            node = second;
+        }
+    }
+    choice.light = load_light_node(node).child_or_light;
+    choice.pmf = pmf;
+    return choice;
+}
+
+LightChoice choose_light(vec3 p, vec3 normal, float u) {
+    LET_REF(FrameConstants) f = load_frame();
+    LightGroups g = light_groups(p, normal);
+    LightChoice choice;
+    choice.light = NO_INDEX;
+    choice.pmf = 0.0f;
+    float sum = light_groups_sum(g);
+    if (!(sum > 0.0f)) { return choice; }
+    float x = u * sum;
+    if (x < g.environment) {
+        choice.light = LIGHT_ENVIRONMENT;
+        choice.pmf = g.environment / sum;
+        return choice;
+    }
+    x -= g.environment;
+    if (x < g.directional) {
+        for (uint i = 0u; i < f.directional_lights; ++i) {
+            float w = directional_importance(load_light(i), normal);
+            if (x < w) {
+                choice.light = i;
+                choice.pmf = w / sum;
+                return choice;
+            }
+            x -= w;
+        }
+        return choice;  // rounding: no sample, once in millions
+    }
+    x -= g.directional;
+    return g.tree > 0.0f ? choose_from_tree(p, normal, min(x / g.tree, ONE_MINUS_EPSILON), g.tree / sum) : choice;
+}
+
+// The probability of choosing the environment, or light `index`, from p.
+float light_choice_environment(vec3 p, vec3 normal) {
+    LightGroups g = light_groups(p, normal);
+    float sum = light_groups_sum(g);
+    return sum > 0.0f ? g.environment / sum : 0.0f;
+}
+
+float light_choice_pmf(vec3 p, vec3 normal, uint index) {
+    LET_REF(FrameConstants) f = load_frame();
+    LightGroups g = light_groups(p, normal);
+    float sum = light_groups_sum(g);
+    if (!(sum > 0.0f)) { return 0.0f; }
+    if (index < f.directional_lights) { return directional_importance(load_light(index), normal) / sum; }
+    float pmf = g.tree / sum;
+    uint trail = load_light(index).trail;
+    uint node = 0u;
+    while (load_light_node(node).is_leaf == 0u) {
+        uint second = load_light_node(node).child_or_light;
+        float a = light_tree_importance(node + 1u, p, normal);
+        float b = light_tree_importance(second, p, normal);
+        if (!(a + b > 0.0f)) { return 0.0f; }
+        bool right = (trail & 1u) != 0u;
+        pmf *= (right ? b : a) / (a + b);
+        node = right ? second : node + 1u;
+        trail >>= 1u;
+    }
+    return pmf;
+}
+
+// One point of the chosen light, as seen from p.
+LightSample sample_light(uint index, vec3 p, vec2 u) {
+    LightSample s;
+    if (index == LIGHT_ENVIRONMENT) {
+        EnvironmentSample e = environment_sample(u);
+        s.wi = e.wi;
+        s.distance = FLOAT_MAX;
+        s.radiance = environment_radiance(e.wi);
+        s.pdf = e.pdf;
+        s.is_delta = 0u;
+        return s;
+    }
+    LET_REF(LightRecord) r = load_light(index);
+    if (r.kind == LIGHT_DIRECTIONAL) { return directional_light_sample(r.direction, r.radius, r.emission, u); }
+    if (r.kind == LIGHT_RECTANGLE) {
+        return rectangle_light_sample(p, r.position, r.edge_u, r.edge_v, r.emission, r.two_sided, u);
+    }
+    if (r.kind == LIGHT_TRIANGLE) {
+        return triangle_light_sample(p, r.position, r.edge_u, r.edge_v, r.direction,
+                                     r.emission, r.two_sided, u);
+    }
+    s = sphere_light_sample(p, r.position, r.radius, r.emission, u);
+    if (r.kind == LIGHT_SPOT) { s.radiance *= spot_falloff(r.direction, -s.wi, r.cos_inner, r.cos_outer); }
+    return s;
+}
+
+// The density in solid angle with which sample_light chooses `direction` from p, given that it meets the
+// light at distance t.
+float light_pdf(IN(LightRecord) r, vec3 p, vec3 direction, float t) {
+    if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_pdf(p, r.position, r.edge_u, r.edge_v, direction); }
+    if (r.kind == LIGHT_TRIANGLE) { return triangle_light_pdf(r.area, r.direction, direction, t); }
+    return sphere_light_pdf(p, r.position, r.radius);
+}
+
+// Radiance of a sphere or rectangle that a ray along `direction` met.
+vec3 light_radiance(IN(LightRecord) r, vec3 direction) {
+    if (r.kind == LIGHT_RECTANGLE) {
+        return dot(r.direction, direction) < 0.0f || r.two_sided != 0u ? r.emission : vec3(0.0f);
+    }
+    vec3 radiance = r.emission / (PI * r.radius * r.radius);
+    if (r.kind == LIGHT_SPOT) { radiance *= spot_falloff(r.direction, direction, r.cos_inner, r.cos_outer); }
+    return radiance;
+}
+
+#endif

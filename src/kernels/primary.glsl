@@ -1,0 +1,20 @@
+// Where a camera ray of a pixel starts.
+// Resources: load_frame.
+#ifndef GP_KERNELS_PRIMARY_GLSL
+#define GP_KERNELS_PRIMARY_GLSL
+#include "shading/camera.glsl"
+#include "shading/sampling/sampler.glsl"
+#include "shading/sampling/warps.glsl"
+#include "shared/scene_structs.glsl"
+
+// A point of the pixel by its filter, a point of the lens. The filter is sampled, so that every path has
+// the same weight. [Ernst, Stamminger and Greiner 2006, "Filter Importance Sampling"]
+Ray camera_ray_of_pixel(IN(CameraParams) camera, uvec2 pixel, INOUT(Sampler) draws) {
+    LET_REF(FrameConstants) f = load_frame();
+    vec2 offset = filter_sample(f.pixel_filter, f.pixel_filter_radius, sampler_next_2d(draws));
+    vec2 film = vec2((float(pixel.x) + 0.5f + offset.x) / float(f.width),
+                     (float(pixel.y) + 0.5f + offset.y) / float(f.height));
+    return camera_ray(camera, film, sampler_next_2d(draws));
+}
+
+#endif

@@ -1,0 +1,190 @@
+// What a scene is made of in the eyes of the kernels. One text for both languages: C++ reads it
+// through shared/scene_structs.h, which also checks sizes; vec3 is always followed by one scalar,
+// so that std430 and C++ agree on every offset.
+#ifndef GP_SHARED_SCENE_STRUCTS_GLSL
+#define GP_SHARED_SCENE_STRUCTS_GLSL
+
+#define NO_INDEX 0xFFFFFFFFu
+
+// Hit::instance of things that are no instance.
+#define HIT_NOTHING 0xFFFFFFFFu
+#define HIT_LIGHT 0xFFFFFFFEu  // a sphere or rectangle light; Hit::primitive is its index
+
+struct Hit {
+    vec3 ng;         // geometric normal: object space, not normalised (instances); world (lights)
+    float t;
+    float u;         // barycentrics of the second and third vertex
+    float v;
+    uint instance;
+    uint primitive;
+};
+
+// Bits of MaterialRecord::flags.
+#define MATERIAL_DOUBLE_SIDED 1u
+#define MATERIAL_UNLIT 2u
+#define MATERIAL_SOLID 4u        // transmissive body with an inside
+#define MATERIAL_TRANSMISSIVE 8u
+#define MATERIAL_EMISSIVE 16u
+#define MATERIAL_VERTEX_COLOR 32u
+#define MATERIAL_ALPHA_MASK 128u
+#define MATERIAL_ALPHA_BLEND 256u
+#define MATERIAL_LAYERED 64u      // any of specular textures, coat, sheen, transmission, iridescence
+
+// Bits of MaterialRecord::textures: which slots hold a texture.
+#define SLOT_BASE_COLOR 1u
+#define SLOT_METALLIC_ROUGHNESS 2u
+#define SLOT_NORMAL 4u
+#define SLOT_EMISSION 8u
+#define SLOT_SPECULAR 16u
+#define SLOT_SPECULAR_COLOR 32u
+#define SLOT_COAT 64u
+#define SLOT_COAT_ROUGHNESS 128u
+#define SLOT_COAT_NORMAL 256u
+#define SLOT_SHEEN_COLOR 512u
+#define SLOT_SHEEN_ROUGHNESS 1024u
+#define SLOT_TRANSMISSION 2048u
+#define SLOT_ANISOTROPY 4096u
+#define SLOT_IRIDESCENCE 8192u
+#define SLOT_IRIDESCENCE_THICKNESS 16384u
+
+struct TextureSlot {
+    vec4 row_u;      // u' = x u + y v + z
+    vec4 row_v;
+    uint texture_index;
+    uint tex_coord;  // 0 or 1
+    uint pad0;
+    uint pad1;
+};
+
+// gp::Material with its textures as indices; multipliers of what the textures hold.
+struct MaterialRecord {
+    vec4 base_color;
+    vec3 emission;
+    float metallic;
+    vec3 specular_color;
+    float roughness;
+    vec3 sheen_color;
+    float sheen_roughness;
+    vec3 attenuation;      // 1/m: Beer-Lambert coefficient inside a solid
+    float ior;
+    float specular;
+    float coat;
+    float coat_roughness;
+    float normal_scale;
+    float coat_normal_scale;
+    float transmission;
+    float anisotropy;
+    float anisotropy_rotation;
+    float iridescence;
+    float iridescence_ior;
+    float iridescence_thickness_min_nm;
+    float iridescence_thickness_max_nm;
+    uint flags;
+    uint textures;
+    uint model;            // row of shading/bsdf/models.def
+    float alpha_cutoff;
+    TextureSlot base_color_slot;
+    TextureSlot metallic_roughness_slot;
+    TextureSlot normal_slot;
+    TextureSlot emission_slot;
+    TextureSlot specular_slot;
+    TextureSlot specular_color_slot;
+    TextureSlot coat_slot;
+    TextureSlot coat_roughness_slot;
+    TextureSlot coat_normal_slot;
+    TextureSlot sheen_color_slot;
+    TextureSlot sheen_roughness_slot;
+    TextureSlot transmission_slot;
+    TextureSlot anisotropy_slot;
+    TextureSlot iridescence_slot;
+    TextureSlot iridescence_thickness_slot;
+};
+
+// An instance: rows of its matrices, and what its triangles look like.
+struct InstanceRecord {
+    vec4 world_from_object[3];
+    vec4 normal_from_object[3];  // cofactors of the 3x3: right for any scale, mirrored too
+    uint material;
+    uint geometry;       // index of the vertex arrays
+    uint light_map;      // offset of its triangles in the triangle-to-light table, or NO_INDEX
+    uint mirrored;       // 1: the transform turns counter-clockwise into clockwise
+};
+
+// One triangle's corners, as load_triangle gives them.
+struct TriangleCorners {
+    vec3 p0;
+    uint normal0;
+    vec3 p1;
+    uint normal1;
+    vec3 p2;
+    uint normal2;
+    vec2 uv0;
+    vec2 uv1;
+    vec2 uv2;
+    uint tangent0;
+    uint tangent1;
+    uint tangent2;
+    uint pad0;
+};
+
+#define LIGHT_TRIANGLE 0u
+#define LIGHT_SPHERE 1u
+#define LIGHT_RECTANGLE 2u
+#define LIGHT_SPOT 3u
+#define LIGHT_DIRECTIONAL 4u
+
+// A light that can be chosen: one emissive triangle, or a gp::Light.
+struct LightRecord {
+    vec3 position;   // sphere, spot: centre; rectangle, triangle: first corner
+    uint kind;
+    vec3 edge_u;     // rectangle, triangle
+    float radius;    // sphere, spot: metres; directional: radians
+    vec3 edge_v;
+    uint two_sided;
+    vec3 direction;  // spot, directional: of travel; rectangle, triangle: unit normal that emits
+    float area;      // rectangle, triangle
+    vec3 emission;   // triangle, rectangle: radiance; sphere, spot: W/sr; directional: W/m^2
+    float cos_inner;
+    float cos_outer;
+    uint instance;   // triangle
+    uint primitive;
+    uint trail;      // path through the light tree: bit i = right turn at depth i
+};
+
+// A node of the light tree: bounds of position, power and direction (shading/light/tree.glsl).
+struct LightTreeNode {
+    vec3 lo;
+    float phi;
+    vec3 hi;
+    float cos_theta_o;
+    vec3 w;
+    float cos_theta_e;
+    uint two_sided;
+    uint is_leaf;
+    uint child_or_light;  // inner: index of the second child (the first follows); leaf: the light
+    uint pad0;
+};
+
+// What a frame is, for every kernel: gp::FramePlan and the scene's constants.
+struct FrameConstants {
+    uint width;
+    uint height;
+    uint seed;
+    uint max_bounces;
+    uint diffuse_shading;      // 1: every surface is Lambertian
+    uint russian_roulette;     // 1: on
+    uint pixel_filter;
+    float pixel_filter_radius; // pixels
+    float clamp_indirect;      // 0: off
+    uint directional_lights;   // how many, from light 0
+    uint tree_nodes;           // 0: no other lights
+    float environment_power;   // luminance of the irradiance inside a sphere of it; 0: none
+    vec3 environment_color;
+    float environment_cos;     // of its rotation
+    float environment_sin;
+    uint environment_width;    // of its sampling table; 0: uniform
+    uint environment_height;
+    uint pad0;
+};
+
+#endif

@@ -1,0 +1,22 @@
+// The C++ side of scene_structs.glsl.
+#pragma once
+
+#include <cstddef>
+
+#include "shading/lang.h"
+
+namespace gp::shared {
+using namespace glm;
+#include "shared/scene_structs.glsl"
+
+static_assert(sizeof(Hit) == 32 && offsetof(Hit, t) == 12);
+static_assert(sizeof(TextureSlot) == 48);
+static_assert(offsetof(MaterialRecord, specular) == 80);
+static_assert(offsetof(MaterialRecord, base_color_slot) == 144);
+static_assert(sizeof(MaterialRecord) == 144 + 15 * sizeof(TextureSlot));
+static_assert(sizeof(InstanceRecord) == 112);
+static_assert(sizeof(TriangleCorners) == 88 || sizeof(TriangleCorners) == 96);
+static_assert(sizeof(LightRecord) == 96 && offsetof(LightRecord, cos_outer) == 80);
+static_assert(sizeof(LightTreeNode) == 64);
+static_assert(sizeof(FrameConstants) == 80);
+}  // namespace gp::shared
