@@ -1,0 +1,65 @@
+// What `glitterpath render` was asked for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "library.h"
+#include "parse.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gp::tool {
+
+enum class PictureFormat { png, exr, hdr };
+
+struct SunSettings {
+    double azimuthDeg = 0;    // from -Z towards +X
+    double elevationDeg = 0;  // above the horizon
+    double lux = 0;           // on a plane that faces it
+};
+
+struct RenderSettings {
+    std::string scenePath, outputPath, jsonPath;
+    GpLoadOptions load{};
+    Size size{1280, 720};
+    bool quiet = false;
+
+    // light
+    std::string environmentPath;
+    double environmentRotationDeg = 0;
+    std::optional<std::array<float, 3>> environmentColor;
+    std::optional<SunSettings> sun;
+
+    // camera
+    std::string camera;
+    std::optional<std::array<float, 3>> from, lookAt;
+    std::optional<double> fovDeg;
+
+    // quality; zeros are the library's defaults
+    GpRenderOptions options{};
+    std::uint32_t bounces = 16;
+
+    // the picture
+    std::optional<double> exposureEv;  // none: automatic
+    bool exposureGiven = false, tonemapGiven = false;
+    GpSaveOptions save{};
+
+    GpDeviceDesc device{};
+    std::string instructionSet;
+};
+
+// The settings must outlive the parsing.
+void addRenderOptions(CLI::App& app, RenderSettings& settings);
+
+// By the ending of the name; throws UsageError.
+PictureFormat pictureFormat(const std::string& path);
+
+// What no single option can know by itself; throws UsageError.
+void checkSettings(const RenderSettings& settings);
+
+}  // namespace gp::tool

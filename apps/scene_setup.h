@@ -1,0 +1,27 @@
+// From the command line to a scene with light in it, and to a camera.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "library.h"
+#include "render_settings.h"
+
+namespace gp::tool {
+
+// --time, --animation and --scene: which content of a file is meant.
+void addSceneChoice(CLI::App& app, GpLoadOptions& load);
+
+struct SceneSetup {
+    Scene scene;
+    double secondsLoad = 0;
+    std::vector<std::string> notes;  // what was added that nobody asked for
+};
+
+// Loads the file and adds the light that was asked for, or a sky where there is none.
+SceneSetup setUpScene(GpDevice device, const RenderSettings& settings);
+
+GpCameraDesc setUpCamera(GpDevice device, GpScene scene, const RenderSettings& settings,
+                         std::vector<std::string>& notes);
+
+}  // namespace gp::tool
