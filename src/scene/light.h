@@ -29,6 +29,7 @@ struct Light {
                                                 // light leaves on the side of cross(edgeU, edgeV)
     bool twoSided = false;          // rectangle
     bool visible = true;            // camera rays see spheres and rectangles
+    bool ofSky = false;             // the sun of setSky, which goes when its sky is replaced
 };
 
 // Light from infinitely far in every direction. Latitude-longitude, shading/light/environment.glsl.

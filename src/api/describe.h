@@ -1,0 +1,32 @@
+// A scene in words.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace gp::api {
+
+std::string describeScene(const Scene& scene);  // JSON
+
+// Calls visit(name, use) for every texture that a material may have.
+template <class F>
+void forEachTexture(const Material& m, F&& visit) {
+    visit("baseColor", m.baseColorTexture);
+    visit("metallicRoughness", m.metallicRoughnessTexture);
+    visit("normal", m.normalTexture);
+    visit("emission", m.emissionTexture);
+    visit("specular", m.specularTexture);
+    visit("specularColor", m.specularColorTexture);
+    visit("coat", m.coatTexture);
+    visit("coatRoughness", m.coatRoughnessTexture);
+    visit("coatNormal", m.coatNormalTexture);
+    visit("sheenColor", m.sheenColorTexture);
+    visit("sheenRoughness", m.sheenRoughnessTexture);
+    visit("transmission", m.transmissionTexture);
+    visit("anisotropy", m.anisotropyTexture);
+    visit("iridescence", m.iridescenceTexture);
+    visit("iridescenceThickness", m.iridescenceThicknessTexture);
+}
+
+}  // namespace gp::api

@@ -1,0 +1,120 @@
+#include <algorithm>
+
+#include "api/check.h"
+#include "api/scenes.h"
+
+namespace gp::api {
+
+namespace {
+
+constexpr uint32_t allVisibility = visibleToCamera | visibleToBounce | visibleToShadow;
+static_assert(GP_VISIBLE_CAMERA == int(visibleToCamera) && GP_VISIBLE_BOUNCE == int(visibleToBounce) &&
+              GP_VISIBLE_SHADOW == int(visibleToShadow));
+
+// Rays and normals go through the inverse, so that must exist and be made of finite floats.
+void checkInvertible(const glm::mat4x3& m, const char* field) {
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]), t(m[3]);
+    const double volume = glm::dot(x, glm::cross(y, z));
+    const double lengths = glm::length(x) * glm::length(y) * glm::length(z);
+    // Below this the three axes lie in a plane as far as floats can tell.
+    constexpr double flattest = 1e-9;
+    if (!(std::abs(volume) > flattest * lengths) || lengths == 0)
+        fail(GP_ERROR_OUT_OF_RANGE, "{} cannot be inverted: its determinant is {:g}", field, volume);
+    const glm::dmat3 inverse = glm::inverse(glm::dmat3(x, y, z));
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            if (!std::isfinite(float(inverse[c][r])) || !std::isfinite(float((inverse * t)[r])))
+                fail(GP_ERROR_OUT_OF_RANGE, "{} has an inverse beyond the range of floats", field);
+}
+
+glm::mat4x3 transformFrom(const float* rows, const char* field) {
+    checkFinite(rows, 12, field);
+    glm::mat4x3 m;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column) m[column][row] = rows[row * 4 + column];
+    checkInvertible(m, field);
+    return m;
+}
+
+std::shared_ptr<Instance> instanceFrom(SceneObject& scene, const GpInstanceDesc& desc) {
+    auto instance = std::make_shared<Instance>();
+    instance->id = desc.id;
+    instance->name = nameOr(desc.name);
+    instance->mesh = resolve(*scene.device, desc.mesh, "mesh")->mesh;
+    if (desc.material)
+        instance->material = resolve(*scene.device, desc.material, "material")->material;
+    if (!allZero(desc.worldFromObject, 12))
+        instance->worldFromObject = transformFrom(desc.worldFromObject, "worldFromObject");
+    if (desc.invisibleTo & ~allVisibility)
+        fail(GP_ERROR_INVALID_ARGUMENT, "invisibleTo has unknown bits: {:#x}", desc.invisibleTo);
+    instance->visibility = allVisibility & ~desc.invisibleTo;
+    if (desc.id != 0 && scene.instanceIds.contains(desc.id))
+        fail(GP_ERROR_DUPLICATE_ID, "id {} belongs to another instance of the scene", desc.id);
+    return instance;
+}
+
+// Adds the instance and its handle: all of it or, when memory ends, nothing.
+GpInstance addInstance(SceneObject& scene, std::shared_ptr<Instance> instance) {
+    auto object = std::make_shared<InstanceObject>(*scene.device);
+    object->scene = std::static_pointer_cast<SceneObject>(scene.shared_from_this());
+    object->instance = instance;
+    const Mesh* mesh = instance->mesh.get();
+    const uint64_t id = instance->id;
+
+    scene.scene.instances.push_back(std::move(instance));
+    Undo undoList([&] { scene.scene.instances.pop_back(); });
+    if (id != 0) scene.instanceIds.insert(id);
+    Undo undoId([&] { scene.instanceIds.erase(id); });
+    if (mesh->kind == MeshKind::dynamic) countUse(scene, mesh, 1);
+    Undo undoUse([&] { countUse(scene, mesh, -1); });
+    const GpInstance handle = publish<GpInstance>(std::move(object));
+    undoList.keep();
+    undoId.keep();
+    undoUse.keep();
+    ++scene.scene.revision;
+    return handle;
+}
+
+}  // namespace
+}  // namespace gp::api
+
+using namespace gp::api;
+
+extern "C" {
+
+GpInstance gpNewInstance(GpScene scene, const GpInstanceDesc* desc) {
+    return enter("gpNewInstance", "scene", scene, [&](SceneObject& s) {
+        checkPointer(desc, "desc");
+        return addInstance(s, instanceFrom(s, *desc));
+    });
+}
+
+GpError gpSetInstanceTransform(GpInstance instance, const float* worldFromObject) {
+    return enter("gpSetInstanceTransform", "instance", instance, [&](InstanceObject& object) {
+        checkPointer(worldFromObject, "worldFromObject");
+        const glm::mat4x3 transform = transformFrom(worldFromObject, "worldFromObject");
+        if (object.instance->mesh->kind == gp::MeshKind::staticMesh)
+            fail(GP_ERROR_INVALID_OPERATION, "the mesh is of kind GP_MESH_STATIC");
+        object.instance->worldFromObject = transform;
+        ++object.scene->scene.revision;
+    });
+}
+
+GpError gpRemoveInstance(GpInstance instance) {
+    return enter("gpRemoveInstance", "instance", instance, [&](InstanceObject& object) {
+        auto& instances = object.scene->scene.instances;
+        const gp::Mesh* mesh = object.instance->mesh.get();
+        if (mesh->kind == gp::MeshKind::dynamic) countUse(*object.scene, mesh, -1);
+        object.scene->instanceIds.erase(object.instance->id);
+        instances.erase(std::find(instances.begin(), instances.end(), object.instance));
+        ++object.scene->scene.revision;
+        handles().remove(bitsOf(instance));
+    });
+}
+
+GpError gpReleaseInstance(GpInstance instance) {
+    return enter("gpReleaseInstance", "instance", instance,
+                 [&](InstanceObject&) { handles().remove(bitsOf(instance)); });
+}
+
+}  // extern "C"

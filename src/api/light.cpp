@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <numbers>
+
+#include "api/check.h"
+#include "api/scenes.h"
+
+namespace gp::api {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double lumensPerWatt = 683;  // of the header's UNITS
+
+static_assert(GP_LIGHT_SPHERE == int(LightKind::sphere) && GP_LIGHT_SPOT == int(LightKind::spot) &&
+              GP_LIGHT_RECTANGLE == int(LightKind::rectangle));
+
+// What one unit of power makes of this light: radiant intensity, or radiance of a rectangle.
+double perWatt(const Light& light) {
+    if (light.kind != LightKind::rectangle) return 1 / (4 * pi);
+    const double area = glm::length(glm::cross(glm::dvec3(light.edgeU), glm::dvec3(light.edgeV)));
+    return 1 / (pi * area * (light.twoSided ? 2 : 1));
+}
+
+void readEmission(Light& light, const GpLightDesc& desc) {
+    checkNotNegative(desc.color, 3, "color");
+    checkNotNegative(desc.intensity, "intensity");
+    const uint32_t unit = checkEnum(desc.unit, 4, "unit");
+    const bool power = unit == GP_UNIT_POWER_W || unit == GP_UNIT_POWER_LM;
+    if (power && light.kind == LightKind::directional)
+        fail(GP_ERROR_INVALID_ARGUMENT, "unit is a power, which a directional light does not have");
+    double scale = desc.intensity;
+    if (unit == GP_UNIT_PHOTOMETRIC || unit == GP_UNIT_POWER_LM) scale /= lumensPerWatt;
+    if (power) scale *= perWatt(light);
+    const glm::dvec3 color = allZero(desc.color, 3) ? glm::dvec3(1) : glm::dvec3(vec3From(desc.color));
+    light.emission = glm::vec3(color * scale);
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(light.emission[i]))
+            fail(GP_ERROR_OUT_OF_RANGE, "intensity times color[{}] is beyond the range of floats", i);
+}
+
+void readDirection(Light& light, const GpLightDesc& desc) {
+    checkFinite(desc.direction, 3, "direction");
+    light.direction = {0, -1, 0};
+    if (!allZero(desc.direction, 3))
+        light.direction = glm::vec3(glm::normalize(glm::dvec3(vec3From(desc.direction))));
+}
+
+void readCone(Light& light, const GpLightDesc& desc) {
+    const float outer = desc.outerAngle == 0 ? float(pi / 4) : desc.outerAngle;
+    checkRange(outer, 0, float(pi / 2), "outerAngle");
+    checkRange(desc.innerAngle, 0, outer, "innerAngle");
+    light.cosInner = std::cos(desc.innerAngle);
+    light.cosOuter = std::max(0.0f, std::cos(outer));
+}
+
+void readEdges(Light& light, const GpLightDesc& desc) {
+    checkFinite(desc.edgeU, 3, "edgeU");
+    checkFinite(desc.edgeV, 3, "edgeV");
+    light.edgeU = vec3From(desc.edgeU);
+    light.edgeV = vec3From(desc.edgeV);
+    const double u = glm::length(glm::dvec3(light.edgeU)), v = glm::length(glm::dvec3(light.edgeV));
+    const double area = glm::length(glm::cross(glm::dvec3(light.edgeU), glm::dvec3(light.edgeV)));
+    if (!(area > 1e-6 * u * v) || float(area) < 1e-30f)
+        fail(GP_ERROR_OUT_OF_RANGE, "edgeU and edgeV span no area");
+    if (!std::isfinite(float(area))) fail(GP_ERROR_OUT_OF_RANGE, "edgeU and edgeV are too long");
+    light.twoSided = desc.twoSided != 0;
+}
+
+// Fields of other kinds of light do not count, and so are not looked at.
+Light lightFrom(const GpLightDesc& desc) {
+    Light light;
+    light.id = desc.id;
+    light.name = nameOr(desc.name);
+    light.kind = LightKind(checkEnum(desc.kind, 4, "kind"));
+    light.visible = !desc.invisible;
+    const bool directional = light.kind == LightKind::directional;
+    const bool round = light.kind == LightKind::sphere || light.kind == LightKind::spot;
+    if (!directional) {
+        checkFinite(desc.position, 3, "position");
+        light.position = vec3From(desc.position);
+    }
+    if (directional || light.kind == LightKind::spot) readDirection(light, desc);
+    if (directional) {
+        checkRange(desc.angularRadius, 0, float(pi / 2), "angularRadius");
+        light.angularRadius = desc.angularRadius;
+    }
+    if (round) {
+        checkNotNegative(desc.radius, "radius");
+        light.radius = desc.radius;
+    }
+    if (light.kind == LightKind::spot) readCone(light, desc);
+    if (light.kind == LightKind::rectangle) readEdges(light, desc);
+    readEmission(light, desc);
+    return light;
+}
+
+GpLight addLight(SceneObject& scene, Light&& light) {
+    const uint64_t id = light.id;
+    if (id != 0 && scene.lightIds.contains(id))
+        fail(GP_ERROR_DUPLICATE_ID, "id {} belongs to another light of the scene", id);
+    auto object = std::make_shared<LightObject>(*scene.device);
+    object->scene = std::static_pointer_cast<SceneObject>(scene.shared_from_this());
+    object->light = std::make_shared<Light>(std::move(light));
+    scene.scene.lights.push_back(object->light);
+    Undo undoList([&] { scene.scene.lights.pop_back(); });
+    if (id != 0) scene.lightIds.insert(id);
+    Undo undoId([&] { scene.lightIds.erase(id); });
+    const GpLight handle = publish<GpLight>(std::move(object));
+    undoList.keep();
+    undoId.keep();
+    ++scene.scene.revision;
+    return handle;
+}
+
+}  // namespace
+}  // namespace gp::api
+
+using namespace gp::api;
+
+extern "C" {
+
+GpLight gpNewLight(GpScene scene, const GpLightDesc* desc) {
+    return enter("gpNewLight", "scene", scene, [&](SceneObject& s) {
+        checkPointer(desc, "desc");
+        return addLight(s, lightFrom(*desc));
+    });
+}
+
+GpError gpSetLight(GpLight light, const GpLightDesc* desc) {
+    return enter("gpSetLight", "light", light, [&](LightObject& object) {
+        checkPointer(desc, "desc");
+        gp::Light changed = lightFrom(*desc);
+        changed.id = object.light->id;
+        *object.light = std::move(changed);
+        ++object.scene->scene.revision;
+    });
+}
+
+GpError gpRemoveLight(GpLight light) {
+    return enter("gpRemoveLight", "light", light, [&](LightObject& object) {
+        auto& lights = object.scene->scene.lights;
+        object.scene->lightIds.erase(object.light->id);
+        lights.erase(std::find(lights.begin(), lights.end(), object.light));
+        ++object.scene->scene.revision;
+        handles().remove(bitsOf(light));
+    });
+}
+
+GpError gpReleaseLight(GpLight light) {
+    return enter("gpReleaseLight", "light", light,
+                 [&](LightObject&) { handles().remove(bitsOf(light)); });
+}
+
+}  // extern "C"

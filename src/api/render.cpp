@@ -1,0 +1,189 @@
+// gpRender: options into a plan, the scene into the backend's form, then the frame's passes.
+#include <chrono>
+#include <climits>
+
+#include "api/check.h"
+#include "api/frames.h"
+#include "api/scenes.h"
+#include "frame/render.h"
+#include "scene/sky.h"
+
+namespace gp::api {
+
+float checkExposure(float ev) {
+    constexpr double widest = 100;
+    checkRange(ev, -widest, widest, "exposureEv");
+    return ev;
+}
+
+namespace {
+
+static_assert(GP_TONEMAP_ACES == int(Tonemap::aces) && GP_TONEMAP_REINHARD == int(Tonemap::reinhard) &&
+              GP_TONEMAP_NONE == int(Tonemap::none));
+static_assert(GP_PIXEL_BOX == int(PixelFilter::box) && GP_PIXEL_TENT == int(PixelFilter::tent) &&
+              GP_PIXEL_GAUSSIAN == int(PixelFilter::gaussian));
+static_assert(GP_SHADING_DIFFUSE == int(ShadingMode::diffuse));
+
+constexpr double widestFilter = 16;  // pixels
+
+float filterRadius(PixelFilter filter) {
+    switch (filter) {
+        case PixelFilter::box: return 0.5f;
+        case PixelFilter::tent: return 1;
+        case PixelFilter::blackmanHarris:
+        case PixelFilter::gaussian: break;
+    }
+    return 1.5f;
+}
+
+void readLimits(FramePlan& plan, const GpRenderOptions& o) {
+    checkNotNegative(o.timeLimit, "options.timeLimit");
+    checkNotNegative(o.noiseTarget, "options.noiseTarget");
+    plan.timeLimit = o.timeLimit;
+    plan.noiseTarget = o.noiseTarget;
+    const bool otherLimit = o.timeLimit > 0 || o.noiseTarget > 0;
+    if (o.samplesPerPixel != 0)
+        plan.samplesPerPixel = o.samplesPerPixel;
+    else if (otherLimit)
+        plan.samplesPerPixel = UINT32_MAX;
+    if (o.maxBounces < GP_NO_BOUNCES)
+        fail(GP_ERROR_OUT_OF_RANGE, "options.maxBounces is {}", o.maxBounces);
+    if (o.maxBounces != 0) plan.maxBounces = o.maxBounces < 0 ? 0 : uint32_t(o.maxBounces);
+}
+
+FramePlan planFrom(const GpRenderOptions& o) {
+    FramePlan plan;
+    readLimits(plan, o);
+    plan.seed = o.seed;
+    plan.shading = ShadingMode(checkEnum(o.shading, 2, "options.shading"));
+    plan.pixelFilter = PixelFilter(checkEnum(o.pixelFilter, 4, "options.pixelFilter"));
+    checkRange(o.pixelFilterRadius, 0, widestFilter, "options.pixelFilterRadius");
+    plan.pixelFilterRadius =
+        o.pixelFilterRadius == 0 ? filterRadius(plan.pixelFilter) : o.pixelFilterRadius;
+    checkNotNegative(o.clamp, "options.clamp");
+    plan.clampIndirect = o.clamp;
+    plan.russianRoulette = o.noRussianRoulette == 0;
+    plan.exposureEv = checkExposure(o.exposureEv);
+    plan.tonemap = Tonemap(checkEnum(o.tonemap, 4, "options.tonemap"));
+    plan.accumulate = o.accumulate != 0;
+    return plan;
+}
+
+Camera chooseCamera(const Scene& scene, const GpCameraDesc* desc, const FrameImages& images) {
+    if (desc) return cameraFrom(*desc);
+    if (!scene.cameras.empty()) return scene.cameras.front();
+    return frameScene(scene, float(images.width) / float(images.height));
+}
+
+bool sameView(const Camera& a, const Camera& b) {
+    return a.kind == b.kind && a.position == b.position && a.target == b.target && a.up == b.up &&
+           a.verticalFov == b.verticalFov && a.orthographicHeight == b.orthographicHeight &&
+           a.apertureRadius == b.apertureRadius && a.focusDistance == b.focusDistance;
+}
+
+void checkAccumulation(const FrameObject& frame, const SceneObject& scene, const FramePlan& plan) {
+    if (!plan.accumulate || !frame.rendered) return;
+    if (frame.scene.lock().get() != &scene || frame.sceneRevision != scene.scene.revision)
+        fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another scene");
+    if (!sameView(frame.camera, plan.camera))
+        fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another view");
+    const uint32_t held = frame.statistics.samplesPerPixel;
+    if (plan.samplesPerPixel != UINT32_MAX && plan.samplesPerPixel > UINT32_MAX - 1 - held)
+        fail(GP_ERROR_TOO_LARGE, "options.samplesPerPixel is {}, added to {}", plan.samplesPerPixel,
+             held);
+}
+
+// The callback of C, as the frame's loop wants it.
+std::function<bool(const RenderProgress&)> progressOf(const GpRenderOptions& options) {
+    if (!options.progress) return [](const RenderProgress&) { return true; };
+    return [&options](const RenderProgress& p) {
+        GpProgress progress{};
+        progress.fraction = p.fraction;
+        progress.secondsElapsed = p.secondsElapsed;
+        progress.secondsRemaining = p.secondsRemaining;
+        progress.samplesPerPixel = p.samplesPerPixel;
+        progress.raysPerSecond = p.raysPerSecond;
+        progress.noise = p.noise;
+        return options.progress(options.progressUser, &progress) == 0;
+    };
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Brings the backend's scene up to date; returns the seconds that it took.
+double build(SceneObject& scene) {
+    const auto start = std::chrono::steady_clock::now();
+    if (!scene.backendScene) scene.backendScene = scene.device->backend->newScene();
+    try {
+        scene.backendScene->update(scene.scene);
+    } catch (...) {
+        // Half updated, it would show something that never was: made anew by the next render.
+        scene.backendScene.reset();
+        throw;
+    }
+    return secondsSince(start);
+}
+
+void note(FrameObject& frame, const SceneObject& scene, const RenderResult& result, double build) {
+    GpFrameStatistics& s = frame.statistics;
+    s.samplesPerPixel = result.samplesPerPixel;
+    s.cameraRays = result.rays.camera;
+    s.bounceRays = result.rays.bounce;
+    s.shadowRays = result.rays.shadow;
+    s.secondsBuild = build;
+    s.secondsRender = result.secondsRender;
+    s.noise = result.noise;
+    s.accelerationBytes = scene.backendScene->accelerationBytes();
+}
+
+// An exception in the middle leaves some pixels with more samples than others: the frame is emptied.
+void discard(FrameObject& frame) noexcept {
+    std::fill(frame.images.sums.begin(), frame.images.sums.end(), PixelSums{});
+    const uint64_t bytes = frame.statistics.frameBytes;
+    frame.statistics = {};
+    frame.statistics.noise = -1;
+    frame.statistics.frameBytes = bytes;
+    frame.rendered = false;
+}
+
+void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene, const GpCameraDesc* camera,
+            const GpRenderOptions& options) {
+    FramePlan plan = planFrom(options);
+    plan.width = frame.images.width;
+    plan.height = frame.images.height;
+    plan.camera = chooseCamera(scene->scene, camera, frame.images);
+    checkAccumulation(frame, *scene, plan);
+
+    std::atomic<bool>& cancel = *frame.device->cancel;
+    cancel.store(false);
+    const double secondsBuild = build(*scene);
+    RenderResult result;
+    try {
+        result = renderFrame(*frame.device->backend, *scene->backendScene, plan, frame.images, cancel,
+                             progressOf(options));
+    } catch (...) {
+        discard(frame);
+        throw;
+    }
+    frame.rendered = true;
+    frame.scene = scene;
+    frame.sceneRevision = scene->scene.revision;
+    frame.camera = plan.camera;
+    note(frame, *scene, result, secondsBuild);
+    if (result.cancelled)
+        fail(GP_ERROR_CANCELLED, "stopped at {} samples a pixel", result.samplesPerPixel);
+}
+
+}  // namespace
+}  // namespace gp::api
+
+using namespace gp::api;
+
+extern "C" GpError gpRender(GpFrame frame, GpScene scene, const GpCameraDesc* camera,
+                            const GpRenderOptions* options) {
+    return enter("gpRender", "frame", frame, [&](FrameObject& f) {
+        render(f, resolve(*f.device, scene, "scene"), camera, options ? *options : GpRenderOptions{});
+    });
+}

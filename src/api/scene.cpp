@@ -1,0 +1,152 @@
+#include <climits>
+#include <unordered_set>
+
+#include "api/check.h"
+#include "api/describe.h"
+#include "api/scenes.h"
+#include "io/gltf.h"
+
+namespace gp::api {
+
+void countUse(SceneObject& scene, const Mesh* mesh, int change) {
+    if (change > 0) {
+        ++scene.dynamicUses[mesh];
+        return;
+    }
+    const auto use = scene.dynamicUses.find(mesh);
+    if (use != scene.dynamicUses.end() && --use->second == 0) scene.dynamicUses.erase(use);
+}
+
+void meshChanged(DeviceObject& device, const Mesh& mesh) {
+    for (const std::weak_ptr<SceneObject>& weak : device.scenes)
+        if (const auto scene = weak.lock())
+            if (scene->dynamicUses.contains(&mesh)) ++scene->scene.revision;
+}
+
+namespace {
+
+io::GltfOptions loadOptions(const GpLoadOptions& options) {
+    checkFinite(options.time, "options.time");
+    if (options.animation > INT_MAX)
+        fail(GP_ERROR_OUT_OF_RANGE, "options.animation is {}", options.animation);
+    if (options.scene > INT_MAX) fail(GP_ERROR_OUT_OF_RANGE, "options.scene is {}", options.scene);
+    io::GltfOptions result;
+    result.time = options.time;
+    result.animation = int(options.animation) - 1;  // 0, the default, becomes -1
+    result.scene = int(options.scene) - 1;
+    return result;
+}
+
+uint64_t bytesOf(const Mesh& mesh) {
+    return mesh.positions.size() * sizeof(mesh.positions[0]) +
+           mesh.triangles.size() * sizeof(mesh.triangles[0]) +
+           mesh.vertices.size() * sizeof(mesh.vertices[0]) + mesh.uv1.size() * sizeof(mesh.uv1[0]) +
+           mesh.colors.size() * sizeof(mesh.colors[0]);
+}
+
+// Meshes, materials and textures are shared: each counts once.
+struct Uniques {
+    std::unordered_set<const Mesh*> meshes;
+    std::unordered_set<const Material*> materials;
+    std::unordered_set<const Texture*> textures;
+
+    void add(const Instance& instance) {
+        meshes.insert(instance.mesh.get());
+        const Material& material = instance.surface();
+        if (!materials.insert(&material).second) return;
+        forEachTexture(material, [&](const char*, const TextureUse& use) {
+            if (use.texture) textures.insert(use.texture.get());
+        });
+    }
+};
+
+void describeBounds(const Scene& scene, GpSceneInfo& info) {
+    const Bounds bounds = worldBounds(scene);
+    if (bounds.empty()) return;
+    for (int i = 0; i < 3; ++i) {
+        info.boundsMin[i] = bounds.lo[i];
+        info.boundsMax[i] = bounds.hi[i];
+    }
+}
+
+GpSceneInfo infoOf(const Scene& scene) {
+    GpSceneInfo info{};
+    Uniques uniques;
+    for (const auto& instance : scene.instances) {
+        uniques.add(*instance);
+        const uint64_t triangles = instance->mesh->triangles.size();
+        info.instancedTriangles += triangles;
+        if (instance->surface().emission != glm::vec3(0)) info.emissiveTriangles += triangles;
+    }
+    info.instances = scene.instances.size();
+    info.meshes = uniques.meshes.size();
+    info.materials = uniques.materials.size();
+    info.textures = uniques.textures.size();
+    for (const Mesh* mesh : uniques.meshes) {
+        info.triangles += mesh->triangles.size();
+        info.geometryBytes += bytesOf(*mesh);
+    }
+    for (const Texture* texture : uniques.textures) info.textureBytes += texture->pixels.size();
+    info.lights = scene.lights.size();
+    info.cameras = scene.cameras.size();
+    info.hasEnvironment = scene.environment.image || scene.environment.color != glm::vec3(0);
+    describeBounds(scene, info);
+    return info;
+}
+
+GpScene newScene(DeviceObject& device) {
+    auto object = std::make_shared<SceneObject>(device);
+    std::erase_if(device.scenes, [](const auto& weak) { return weak.expired(); });
+    device.scenes.push_back(object);
+    return publish<GpScene>(object);
+}
+
+}  // namespace
+}  // namespace gp::api
+
+using namespace gp::api;
+
+extern "C" {
+
+GpScene gpNewScene(GpDevice device) {
+    return enter("gpNewScene", "device", device, [](DeviceObject& d) { return newScene(d); });
+}
+
+GpError gpReleaseScene(GpScene scene) {
+    return enter("gpReleaseScene", "scene", scene,
+                 [&](SceneObject&) { handles().remove(bitsOf(scene)); });
+}
+
+GpError gpLoadSceneFile(GpScene scene, const char* path, const GpLoadOptions* options) {
+    return enter("gpLoadSceneFile", "scene", scene, [&](SceneObject& s) {
+        checkPath(path);
+        const gp::io::GltfOptions gltf = loadOptions(options ? *options : GpLoadOptions{});
+        // Into a copy (of pointers, mostly), so that no failure whatsoever leaves half a file.
+        gp::Scene loaded = s.scene;
+        gp::io::loadGltf(path, gltf, loaded);
+        loaded.revision = s.scene.revision + 1;
+        s.scene = std::move(loaded);
+    });
+}
+
+GpError gpGetSceneInfo(GpScene scene, GpSceneInfo* info) {
+    return enter("gpGetSceneInfo", "scene", scene, [&](SceneObject& s) {
+        checkPointer(info, "info");
+        *info = infoOf(s.scene);
+    });
+}
+
+GpError gpDescribeScene(GpScene scene, char* text, size_t size, size_t* needed) {
+    return enter("gpDescribeScene", "scene", scene, [&](SceneObject& s) {
+        if (size != 0) checkPointer(text, "text");
+        const std::string json = describeScene(s.scene);
+        if (needed) *needed = json.size() + 1;
+        if (size == 0) return;
+        if (size < json.size() + 1)
+            fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the text needs {} bytes", size,
+                 json.size() + 1);
+        std::memcpy(text, json.c_str(), json.size() + 1);
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,37 @@
+// Scenes as the other nouns need them.
+#pragma once
+
+#include <utility>
+
+#include "api/objects.h"
+
+namespace gp::api {
+
+// Counts the instances that a dynamic mesh has in a scene. Throws only where `change` is positive.
+void countUse(SceneObject& scene, const Mesh* mesh, int change);
+
+// The vertices of a dynamic mesh are new: every scene of the device that shows it has changed.
+void meshChanged(DeviceObject& device, const Mesh& mesh);
+
+// Takes back a step of a change that a later step could not finish, unless told to keep it.
+template <class F>
+class Undo {
+public:
+    explicit Undo(F undo) : undo_(std::move(undo)) {}
+    ~Undo() {
+        if (armed_) undo_();
+    }
+    Undo(const Undo&) = delete;
+    Undo& operator=(const Undo&) = delete;
+    void keep() { armed_ = false; }
+
+private:
+    F undo_;
+    bool armed_ = true;
+};
+
+// Fills what a descriptor leaves open; throws ApiError.
+Camera cameraFrom(const GpCameraDesc& desc);
+GpCameraDesc descFrom(const Camera& camera);
+
+}  // namespace gp::api
