@@ -21,6 +21,24 @@ struct SphericalRectangle {
     float solid_angle;
 };
 
+// asin to the last digits. The graphics interfaces promise 4096 units in the last place only, too
+// few for a small difference of large angles.
+// [Moshier 1992, Cephes Mathematical Library, asinf]
+float arc_sine(float x) {
+    float a = min(abs(x), 1.0f);
+    bool steep = a > 0.5f;
+    float z = steep ? 0.5f * (1.0f - a) : a * a;
+    float s = steep ? sqrt(z) : a;
+    float p = 4.2163199048e-2f;
+    p = p * z + 2.4181311049e-2f;
+    p = p * z + 4.5470025998e-2f;
+    p = p * z + 7.4953002686e-2f;
+    p = p * z + 1.6666752422e-1f;
+    p = p * z * s + s;
+    p = steep ? HALF_PI - 2.0f * p : p;
+    return x < 0.0f ? -p : p;
+}
+
 // The solid angle of [x0, x1] x [y0, y1] at height z0: the angles of its spherical image, which are
 // those between the planes through the eye and the edges, minus 2 pi.
 float spherical_rectangle_excess(float x0, float x1, float y0, float y1, float z0) {
@@ -29,7 +47,7 @@ float spherical_rectangle_excess(float x0, float x1, float y0, float y1, float z
     float n2 = y1 * inversesqrt(z0 * z0 + y1 * y1);
     float n3 = -x0 * inversesqrt(z0 * z0 + x0 * x0);
     // acos(-a b) = pi/2 + asin(a b): without pi the four terms keep their digits.
-    return asin(n0 * n1) + asin(n1 * n2) + asin(n2 * n3) + asin(n3 * n0);
+    return arc_sine(n0 * n1) + arc_sine(n1 * n2) + arc_sine(n2 * n3) + arc_sine(n3 * n0);
 }
 
 // `edge_x` and `edge_y` leave `corner` at right angles to each other.
@@ -56,8 +74,8 @@ SphericalRectangle spherical_rectangle(vec3 corner, vec3 edge_x, vec3 edge_y, ve
     float n3 = -r.x0 * inversesqrt(r.z0 * r.z0 + r.x0 * r.x0);
     r.b0 = n0;
     r.b1 = n2;
-    r.k = asin(n2 * n3) + asin(n3 * n0);
-    r.solid_angle = asin(n0 * n1) + asin(n1 * n2) + r.k;
+    r.k = arc_sine(n2 * n3) + arc_sine(n3 * n0);
+    r.solid_angle = arc_sine(n0 * n1) + arc_sine(n1 * n2) + r.k;
     return r;
 }
 
