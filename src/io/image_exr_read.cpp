@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -61,8 +62,8 @@ std::optional<Choice> choose(const Imf::ChannelList& list) {
     if (layer("")) return c;
     if (has(list, "Y")) {
         c.lumaChroma = has(list, "RY") && has(list, "BY");
-        for (int i = 0; i < 3; ++i) c.channels[i] = "Y";
-        c.channels[3] = "A";
+        for (int i = 0; i < 3; ++i) c.channels[i].assign(1, 'Y');
+        c.channels[3].assign(1, 'A');
         return c;
     }
     for (auto it = list.begin(); it != list.end(); ++it) {
@@ -169,10 +170,10 @@ Image decodeExr(const ImageSource& source) {
         throw;
     } catch (const std::exception& e) {
         // OpenEXR's own messages repeat the name and may have several lines: the last one counts.
-        std::string text = e.what();
-        if (const size_t line = text.rfind('\n', text.size() - 2); line != std::string::npos)
-            text.erase(0, line + 1);
-        source.fail("damaged EXR: " + text);
+        const std::string_view text = e.what();
+        const size_t end = text.find_last_not_of('\n') + 1;
+        const size_t line = text.substr(0, end).rfind('\n') + 1;  // npos + 1 is 0
+        source.fail(std::string("damaged EXR: ").append(text.substr(line, end - line)));
     }
 }
 

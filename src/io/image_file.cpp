@@ -24,6 +24,8 @@ Image allocateImage(uint32_t width, uint32_t height, PixelFormat format) {
     image.width = width;
     image.height = height;
     image.format = format;
+    // Room for the smaller levels, so that makeTexture need not move the pixels.
+    if (format == PixelFormat::rgba8) image.pixels.reserve(size_t(width) * height * 16 / 3 + 64);
     image.pixels.resize(size_t(width) * height * bytesPerPixel(format));
     return image;
 }

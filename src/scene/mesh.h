@@ -20,7 +20,7 @@ enum class MeshKind : uint8_t {
 // What a vertex gives to shading beside its position: 16 bytes.
 struct ShadingVertex {
     uint32_t normalOct;   // octahedral, 2 x 16 bit (shading/frame.glsl)
-    uint32_t tangentOct;  // octahedral with the sign of the bitangent in the lowest bit
+    uint32_t tangentOct;  // octahedral and the sign of the bitangent (tangent_encode)
     glm::vec2 uv;
 };
 
@@ -28,7 +28,7 @@ struct ShadingVertex {
 struct MeshData {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;   // absent: flat normals are generated (glTF 2.0, 3.7.2.1)
-    std::vector<glm::vec4> tangents;  // w: sign of the bitangent; absent: generated from uv[normalMapUv]
+    std::vector<glm::vec4> tangents;  // w: sign of the bitangent; absent: generated (MeshOptions)
     std::vector<glm::vec2> uv[2];
     std::vector<glm::vec4> colors;    // linear RGBA
     std::vector<uint32_t> indices;    // three a triangle; absent: vertices in order
@@ -54,6 +54,7 @@ struct Mesh {
 struct MeshOptions {
     bool needsTangents = false;  // a normal map or anisotropy is there
     uint32_t tangentUv = 0;      // which uv set they follow
+    glm::mat3x2 uvTransform{1, 0, 0, 1, 0, 0};  // the normal map's; turns generated tangents with it
 };
 
 // Checks nothing (callers have: finite positions, indices in range), generates what is missing,

@@ -1,0 +1,159 @@
+#include "shading/shading.h"
+
+#include "scene/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/tangents.h"
+
+namespace gp {
+
+namespace {
+
+glm::vec3 faceNormal(const std::vector<glm::vec3>& positions, glm::uvec3 t) {
+    return glm::cross(positions[t.y] - positions[t.x], positions[t.z] - positions[t.x]);
+}
+
+// Unit length, or zero where there is no direction.
+glm::vec3 unit(glm::vec3 v) {
+    // Scaled first: squares of very small or large components leave the range of float.
+    const float most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(most > 0) || !std::isfinite(most)) return glm::vec3(0);
+    return glm::normalize(v / most);
+}
+
+template <typename T>
+void gather(std::vector<T>& values, const std::vector<uint32_t>& order) {
+    if (values.empty()) return;
+    std::vector<T> out(order.size());
+    for (size_t i = 0; i < order.size(); ++i) out[i] = values[order[i]];
+    values = std::move(out);
+}
+
+void gatherAll(MeshData& data, const std::vector<uint32_t>& order) {
+    gather(data.positions, order);
+    gather(data.normals, order);
+    gather(data.tangents, order);
+    gather(data.uv[0], order);
+    gather(data.uv[1], order);
+    gather(data.colors, order);
+}
+
+std::vector<glm::uvec3> takeTriangles(MeshData& data) {
+    std::vector<glm::uvec3> triangles;
+    if (data.indices.empty()) {
+        triangles.resize(data.positions.size() / 3);
+        for (uint32_t i = 0; i < triangles.size(); ++i)
+            triangles[i] = glm::uvec3(0, 1, 2) + i * 3;
+        return triangles;
+    }
+    triangles.resize(data.indices.size() / 3);
+    for (size_t i = 0; i < triangles.size(); ++i)
+        triangles[i] = {data.indices[i * 3], data.indices[i * 3 + 1], data.indices[i * 3 + 2]};
+    data.indices = {};
+    return triangles;
+}
+
+// Flat shading: no two triangles share a vertex. (glTF 2.0, 3.7.2.1; given tangents are ignored.)
+void makeFlat(MeshData& data, std::vector<glm::uvec3>& triangles) {
+    data.tangents.clear();
+    std::vector<uint32_t> order(triangles.size() * 3);
+    for (size_t i = 0; i < order.size(); ++i) order[i] = triangles[i / 3][int(i % 3)];
+    gatherAll(data, order);
+    data.normals.resize(order.size());
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        triangles[i] = glm::uvec3(0, 1, 2) + i * 3;
+        glm::vec3 n = unit(faceNormal(data.positions, triangles[i]));
+        if (n == glm::vec3(0)) n = {0, 0, 1};  // a triangle without area is never seen
+        for (int c = 0; c < 3; ++c) data.normals[triangles[i][c]] = n;
+    }
+}
+
+// Files hold normals of any length; those of length zero are made from the triangles around.
+void repairNormals(MeshData& data, const std::vector<glm::uvec3>& triangles) {
+    bool missing = false;
+    for (glm::vec3& n : data.normals) {
+        n = unit(n);
+        missing |= n == glm::vec3(0);
+    }
+    if (!missing) return;
+    std::vector<glm::vec3> sums(data.normals.size(), glm::vec3(0));
+    for (const glm::uvec3& t : triangles)
+        for (int c = 0; c < 3; ++c) sums[t[c]] += faceNormal(data.positions, t);
+    for (size_t v = 0; v < sums.size(); ++v) {
+        if (data.normals[v] != glm::vec3(0)) continue;
+        data.normals[v] = unit(sums[v]);
+        if (data.normals[v] == glm::vec3(0)) data.normals[v] = {0, 0, 1};
+    }
+}
+
+// Where the corners that share a vertex disagree about its tangent, it is copied.
+void addTangents(MeshData& data, std::vector<glm::uvec3>& triangles, const MeshOptions& options) {
+    std::vector<glm::vec2> uv = data.uv[options.tangentUv & 1];
+    for (glm::vec2& p : uv) p = options.uvTransform * glm::vec3(p, 1);
+    const std::vector<glm::vec4> corners =
+        generateTangents({data.positions, data.normals, uv, triangles});
+
+    const size_t count = data.positions.size();
+    constexpr uint32_t none = ~0u;
+    std::vector<uint32_t> order(count), next(count, none);  // next: chain of a vertex's copies
+    std::vector<glm::vec4> tangents(count, glm::vec4(0));
+    for (uint32_t v = 0; v < count; ++v) order[v] = v;
+    for (size_t i = 0; i < corners.size(); ++i) {
+        uint32_t& vertex = triangles[i / 3][int(i % 3)];
+        uint32_t v = vertex;
+        while (tangents[v].w != 0 && tangents[v] != corners[i] && next[v] != none) v = next[v];
+        if (tangents[v].w != 0 && tangents[v] != corners[i]) {
+            next[v] = static_cast<uint32_t>(order.size());
+            v = next[v];
+            order.push_back(vertex);
+            next.push_back(none);
+            tangents.emplace_back(0);
+        }
+        tangents[v] = corners[i];
+        vertex = v;
+    }
+    data.tangents.clear();
+    if (order.size() != count) gatherAll(data, order);
+    data.tangents = std::move(tangents);
+}
+
+uint32_t packTangent(glm::vec3 normal, glm::vec4 tangent) {
+    const float sign = tangent.w < 0 ? -1.0f : 1.0f;
+    const glm::vec3 t = unit(glm::vec3(tangent));
+    return shading::tangent_encode(shading::frame_from_normal_tangent(normal, t, sign).t, sign);
+}
+
+glm::u8vec4 packColor(glm::vec4 c) {
+    return glm::u8vec4(glm::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+}  // namespace
+
+void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
+    mesh.triangles = takeTriangles(data);
+    if (data.normals.empty()) makeFlat(data, mesh.triangles);
+    else repairNormals(data, mesh.triangles);
+    if (options.needsTangents && data.tangents.empty() && !data.uv[options.tangentUv & 1].empty())
+        addTangents(data, mesh.triangles, options);
+
+    const size_t count = data.positions.size();
+    mesh.vertices.resize(count);
+    for (size_t v = 0; v < count; ++v) {
+        ShadingVertex& out = mesh.vertices[v];
+        out.normalOct = shading::octahedral_encode(data.normals[v]);
+        out.tangentOct = packTangent(data.normals[v],
+                                     data.tangents.empty() ? glm::vec4(0, 0, 0, 1)
+                                                           : data.tangents[v]);
+        out.uv = data.uv[0].empty() ? glm::vec2(0) : data.uv[0][v];
+    }
+    mesh.uv1 = std::move(data.uv[1]);
+    mesh.colors.resize(data.colors.size());
+    for (size_t v = 0; v < data.colors.size(); ++v) mesh.colors[v] = packColor(data.colors[v]);
+    mesh.positions = std::move(data.positions);
+    mesh.positions.emplace_back(0.0f);
+    ++mesh.revision;
+}
+
+}  // namespace gp

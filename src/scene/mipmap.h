@@ -1,0 +1,20 @@
+// The chain of smaller copies of an image.
+#pragma once
+
+#include "scene/texture.h"
+
+namespace gp {
+
+// The levels of a chain down to 1x1 (or of level 0 alone), and how many bytes they take.
+std::vector<MipLevel> mipLayout(uint32_t width, uint32_t height, PixelFormat format,
+                                bool mipmapped, size_t& totalBytes);
+
+// The sRGB transfer function, both ways. [IEC 61966-2-1:1999, 5.2]
+float linearFromSrgb(float v);
+float srgbFromLinear(float v);
+
+// Fills every level of `texture` from the one before it: a box filter in linear light. Where a
+// size is odd, each smaller texel takes its exact share of three texels, so that nothing shifts.
+void fillMipLevels(Texture& texture);
+
+}  // namespace gp
