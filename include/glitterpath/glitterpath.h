@@ -88,7 +88,8 @@ typedef enum GpError {
                                        holds the samples taken so far */
 } GpError;
 
-/* The name of a code, such as "GP_ERROR_NOT_FINITE"; static; never NULL. Any thread. */
+/* The name of a code, such as "GP_ERROR_NOT_FINITE"; static; never NULL ("GP_ERROR_UNKNOWN" for a
+ * number that is no code). Any thread. */
 GP_API const char* gpErrorName(GpError error);
 
 /* Called once for each failing call, on the thread of that call. `message` lives during it. */
@@ -96,7 +97,8 @@ typedef void (*GpErrorCallback)(void* user, GpError error, const char* message);
 
 /* The first error of this thread on `device` since the last gpGetError, and forgets it.
  * `message`, if not NULL, receives one line that lives until this thread's next call.
- * device NULL: errors of calls that had no valid device (gpNewDevice, released handles). */
+ * device NULL: errors of calls that had no valid device (gpNewDevice, released handles). For a
+ * device that is not alive it returns GP_ERROR_INVALID_HANDLE. */
 GP_API GpError gpGetError(GpDevice device, const char** message);
 
 /* ------------------------------------------------------------------------------------ device */
@@ -111,13 +113,14 @@ typedef enum GpBackend {
 typedef struct GpDeviceDesc {
     GpBackend backend;              /* GP_BACKEND_AUTO */
     uint32_t threads;               /* 0 = all processors; at most 1024 */
-    const char* instructionSet;     /* NULL = best; "x86-64", "avx2" or "avx512" to force one (tests,
-                                       benchmarks): GP_ERROR_UNSUPPORTED where the CPU lacks it */
+    const char* instructionSet;     /* NULL = best; "x86-64", "avx2" or "avx512" to force one
+                                       (tests, benchmarks): GP_ERROR_UNSUPPORTED where
+                                       the CPU lacks it */
     GpErrorCallback errorCallback;  /* NULL = none */
     void* errorUser;                /* handed to the callback */
 } GpDeviceDesc;
 
-/* NULL on failure: gpGetError(NULL, ...). desc may be NULL. */
+/* NULL on failure: gpGetError(NULL, ...). desc may be NULL. At most 256 devices at one time. */
 GP_API GpDevice gpNewDevice(const GpDeviceDesc* desc);
 GP_API GpError gpReleaseDevice(GpDevice device);
 /* The backend and instruction set in use, such as "CPU (Embree 3.13.5, avx512, 2 threads)";
@@ -277,8 +280,8 @@ typedef struct GpMeshDesc {
 } GpMeshDesc;
 
 GP_API GpMesh gpNewMesh(GpDevice device, const GpMeshDesc* desc);
-/* New vertices for a GP_MESH_DYNAMIC mesh; kind, id, material and name of desc are ignored. With the
- * same triangles as before the acceleration structure is refitted, else rebuilt, at the next
+/* New vertices for a GP_MESH_DYNAMIC mesh; kind, id, material and name of desc are ignored. With
+ * the same triangles as before the acceleration structure is refitted, else rebuilt, at the next
  * gpRender. GP_ERROR_INVALID_OPERATION for the other kinds. */
 GP_API GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc);
 GP_API GpError gpReleaseMesh(GpMesh mesh);
@@ -358,14 +361,15 @@ typedef struct GpEnvironmentDesc {
     float rotation;          /* radians about +Y, counter-clockwise seen from above */
 } GpEnvironmentDesc;
 
-/* desc NULL = no environment. */
+/* desc NULL = no environment. Replaces a sky, whose sun goes with it. */
 GP_API GpError gpSetEnvironment(GpScene scene, const GpEnvironmentDesc* desc);
 /* The image from a Radiance HDR or EXR file; color and rotation from desc, which may be NULL. */
 GP_API GpError gpSetEnvironmentFromFile(GpScene scene, const char* path,
                                         const GpEnvironmentDesc* desc);
 /* A clear sky with the sun at (azimuth from -Z towards +X, elevation), radians. The sun's disk is a
- * directional light of its own that the call adds. sunLux: illuminance of the sun on a plane
- * facing it; 0 = by its elevation (100,000 lux high up). Replaces the environment. */
+ * directional light of its own that the call adds. sunElevation: 0..pi/2. sunLux >= 0: illuminance
+ * of the sun on a plane facing it; 0 = by its elevation (100,000 lux high up). Replaces the
+ * environment, and an earlier sky with its sun. */
 GP_API GpError gpSetSky(GpScene scene, float sunAzimuth, float sunElevation, float sunLux);
 
 /* ------------------------------------------------------------------------------- scene files */
@@ -392,8 +396,9 @@ typedef struct GpSceneInfo {
 
 GP_API GpError gpGetSceneInfo(GpScene scene, GpSceneInfo* info);
 /* Everything in the scene as a JSON text: names, sizes, materials, lights, cameras, animations,
- * warnings. Writes at most `size` bytes with the closing zero and always stores the size needed in
- * *needed (may be NULL); text may be NULL when size is 0. */
+ * warnings. *needed (may be NULL) always receives the size of the text with its closing zero; with
+ * size 0 that is all, and text may be NULL. A size below it is GP_ERROR_INVALID_OPERATION, and
+ * nothing is written to text. */
 GP_API GpError gpDescribeScene(GpScene scene, char* text, size_t size, size_t* needed);
 
 /* ------------------------------------------------------------------------------------ camera */
@@ -404,7 +409,8 @@ typedef struct GpCameraDesc {
     GpCameraKind kind;
     float position[3];
     float target[3];          /* equal to position = one metre along -Z */
-    float up[3];              /* three zeros = +Y */
+    float up[3];              /* three zeros = +Y, or -Z where the view runs along Y; must not be
+                                 parallel to the view */
     float verticalFov;        /* radians, 0 = pi/4; below pi */
     float orthographicHeight; /* metres; 0 = 2 */
     float apertureRadius;     /* metres; 0 = pinhole */
@@ -414,7 +420,8 @@ typedef struct GpCameraDesc {
 /* Cameras that files brought, in their order. The name (may be NULL) lives as long as the scene. */
 GP_API GpError gpGetSceneCamera(GpScene scene, uint32_t index, GpCameraDesc* camera,
                                 const char** name);
-/* A camera that shows the whole scene, from the front, a little from above. */
+/* A camera that shows the whole scene, from the front, a little from above. aspect: width / height
+ * of the picture, above 0. */
 GP_API GpError gpFrameScene(GpScene scene, float aspect, GpCameraDesc* camera);
 
 /* ------------------------------------------------------------------------------------ frames */
@@ -500,13 +507,14 @@ typedef struct GpRenderOptions {
     uint64_t seed;             /* the same seed gives the same bits on any number of threads */
     GpShading shading;
     GpPixelFilter pixelFilter;
-    float pixelFilterRadius;   /* pixels; 0 = the filter's own */
+    float pixelFilterRadius;   /* pixels, at most 16; 0 = the filter's own */
     float clamp;               /* 0 = off. Else the largest luminance that one sample's indirect
                                   light may have: less noise, darker, biased */
     int32_t noRussianRoulette; /* not 0: paths end only at maxBounces */
-    float exposureEv;          /* DISPLAY is scaled by 2^exposureEv */
+    float exposureEv;          /* DISPLAY is scaled by 2^exposureEv; -100..100 */
     GpTonemap tonemap;
-    int32_t accumulate;        /* not 0: add to what the frame holds (same scene, same camera) */
+    int32_t accumulate;        /* not 0: add to what the frame holds. Another or a changed scene, or
+                                  another camera, is GP_ERROR_INVALID_OPERATION */
     GpProgressCallback progress;
     void* progressUser;
 } GpRenderOptions;
@@ -525,8 +533,10 @@ GP_API GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap
 GP_API GpError gpReadFrameImage(GpFrame frame, GpFrameImage image, void* pixels, size_t size);
 
 typedef struct GpSaveOptions {
-    uint32_t layers;      /* EXR: bit (1 << GpFrameImage) for each layer beside COLOR; 0 = none */
-    int32_t fullFloat;    /* EXR: not 0 = 32-bit floats, else half */
+    uint32_t layers;      /* bit (1 << GpFrameImage) for each layer beside COLOR; 0 = none. Only for
+                             .exr: GP_ERROR_INVALID_ARGUMENT with the others */
+    int32_t fullFloat;    /* EXR: not 0 = 32-bit floats, else half. DEPTH and INSTANCE layers, which
+                             half floats cannot hold, always make it 32-bit */
 } GpSaveOptions;
 
 /* By the ending of the name: .png (DISPLAY), .exr, .hdr (COLOR). Written under a temporary name
