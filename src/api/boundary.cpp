@@ -51,7 +51,8 @@ GpError report(DeviceObject* device, const char* call, GpError code, const char*
     remember(device ? device->self : 0, code, message);
     if (device && device->errorCallback && callback) {
         try {
-            device->errorCallback(device->errorUser, code, message.empty() ? call : message.c_str());
+            const char* text = message.empty() ? call : message.c_str();
+            device->errorCallback(device->errorUser, code, text);
         } catch (...) {
             // A C++ program's callback that throws must not unwind through C.
         }

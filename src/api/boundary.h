@@ -32,7 +32,8 @@ template <class... Args>
 class BodyRef {
 public:
     template <class F>
-    explicit BodyRef(F& f) : target_(&f), run_([](void* t, Object* o) { (*static_cast<F*>(t))(o); }) {}
+    explicit BodyRef(F& f)
+        : target_(&f), run_([](void* t, Object* o) { (*static_cast<F*>(t))(o); }) {}
     void operator()(Object* object) const { run_(target_, object); }
 
 private:
@@ -54,13 +55,14 @@ template <class Handle, class Body>
 auto enter(const char* call, const char* argument, Handle handle, Body&& body) noexcept {
     using Target = typename HandleTraits<Handle>::Object;
     using Result = std::invoke_result_t<Body&, Target&>;
+    constexpr HandleType type = HandleTraits<Handle>::type;
     if constexpr (std::is_void_v<Result>) {
         auto run = [&](Object* object) { body(static_cast<Target&>(*object)); };
-        return enterObject(call, argument, bitsOf(handle), HandleTraits<Handle>::type, BodyRef(run));
+        return enterObject(call, argument, bitsOf(handle), type, BodyRef(run));
     } else {
         Result result = nullptr;
         auto run = [&](Object* object) { result = body(static_cast<Target&>(*object)); };
-        enterObject(call, argument, bitsOf(handle), HandleTraits<Handle>::type, BodyRef(run));
+        enterObject(call, argument, bitsOf(handle), type, BodyRef(run));
         return result;
     }
 }

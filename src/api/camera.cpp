@@ -38,7 +38,8 @@ Camera cameraFrom(const GpCameraDesc& desc) {
     camera.position = vec3From(desc.position);
     camera.target = vec3From(desc.target);
     if (camera.target == camera.position) camera.target.z -= 1;
-    if (camera.target == camera.position || !std::isfinite(glm::distance(camera.target, camera.position)))
+    const float distance = glm::distance(camera.target, camera.position);
+    if (!(distance > 0) || !std::isfinite(distance))
         fail(GP_ERROR_OUT_OF_RANGE, "camera.position and camera.target give no direction");
     readUp(camera, desc);
     checkRange(desc.verticalFov, 0, std::numbers::pi, "camera.verticalFov");

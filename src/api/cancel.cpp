@@ -6,7 +6,8 @@ namespace gp::api {
 
 namespace {
 
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<HandleBits>::is_always_lock_free,
+static_assert(std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<HandleBits>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
 struct Entry {

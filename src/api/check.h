@@ -35,8 +35,8 @@ uint32_t checkEnum(const E& value, uint32_t count, const char* field) {
     uint32_t number;
     std::memcpy(&number, &value, sizeof number);
     if (number >= count)
-        fail(GP_ERROR_INVALID_ARGUMENT, "{} is {}, which is not one of its {} values", field, number,
-             count);
+        fail(GP_ERROR_INVALID_ARGUMENT, "{} is {}, which is not one of its {} values", field,
+             number, count);
     return number;
 }
 

@@ -16,8 +16,8 @@ BackendOptions backendOptions(const GpDeviceDesc& desc) {
     options.instructionSet = desc.instructionSet;
     for (const char* known : {"x86-64", "avx2", "avx512"})
         if (options.instructionSet == known) return options;
-    fail(GP_ERROR_INVALID_ARGUMENT, "instructionSet is \"{}\", which is none of x86-64, avx2, avx512",
-         options.instructionSet);
+    fail(GP_ERROR_INVALID_ARGUMENT,
+         "instructionSet is \"{}\", which is none of x86-64, avx2, avx512", options.instructionSet);
 }
 
 std::unique_ptr<Backend> newBackend(const GpDeviceDesc& desc) {

@@ -35,7 +35,8 @@ std::shared_ptr<const Image> imageFrom(const std::vector<float>& rgba, uint32_t 
 
 Environment environmentFrom(const GpEnvironmentDesc& desc) {
     if (desc.width == 0 && desc.height == 0) {
-        if (desc.pixels) fail(GP_ERROR_INVALID_ARGUMENT, "width and height are 0, but pixels is not NULL");
+        if (desc.pixels)
+            fail(GP_ERROR_INVALID_ARGUMENT, "width and height are 0, but pixels is not NULL");
         return tintFrom(desc, false);
     }
     checkImageSize(desc.width, desc.height, sideLimit, pixelLimit);

@@ -11,7 +11,8 @@ namespace {
 constexpr uint32_t sideLimit = 16384;
 
 static_assert(GP_IMAGE_COUNT == int(FrameImage::count));
-#define X(id, NAME, format, channels, meaning) static_assert(GP_IMAGE_##NAME == int(FrameImage::id));
+#define X(id, NAME, format, channels, meaning) \
+    static_assert(GP_IMAGE_##NAME == int(FrameImage::id));
 #include "shared/frame_images.def"
 #undef X
 static_assert(GP_IMAGE_RGBA8 == int(FrameImageFormat::rgba8) &&
@@ -23,7 +24,8 @@ static_assert(GP_IMAGE_RGBA8 == int(FrameImageFormat::rgba8) &&
 void checkFits(uint64_t bytes) {
     const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
     if (pages > 0 && pageBytes > 0 && bytes > uint64_t(pages) * uint64_t(pageBytes))
-        fail(GP_ERROR_OUT_OF_MEMORY, "the frame needs {} bytes, more than this machine's memory", bytes);
+        fail(GP_ERROR_OUT_OF_MEMORY, "the frame needs {} bytes, more than this machine's memory",
+             bytes);
 }
 
 GpFrame newFrame(DeviceObject& device, const GpFrameDesc& desc) {
@@ -96,7 +98,8 @@ GpError gpReadFrameImage(GpFrame frame, GpFrameImage image, void* pixels, size_t
         checkRendered(f);
         const size_t needed = f.images.pixelCount() * gp::frameImageInfo(which).bytesPerPixel;
         if (size < needed)
-            fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the image has {} bytes", size, needed);
+            fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the image has {} bytes", size,
+                 needed);
         gp::readFrameImage(f.images, which, pixels);
     });
 }

@@ -15,8 +15,8 @@ constexpr uint32_t lastGeneration = (1u << generationBits) - 1;
 constexpr uint32_t slotLimit = 1u << slotBits;
 
 HandleBits encode(uint32_t slot, uint32_t generation, HandleType type) {
-    return (HandleBits(type) << (slotBits + generationBits)) | (HandleBits(generation) << slotBits) |
-           slot;
+    return (HandleBits(type) << (slotBits + generationBits)) |
+           (HandleBits(generation) << slotBits) | slot;
 }
 uint32_t slotOf(HandleBits bits) { return uint32_t(bits & (slotLimit - 1)); }
 uint32_t generationOf(HandleBits bits) { return uint32_t(bits >> slotBits) & lastGeneration; }

@@ -13,7 +13,9 @@ namespace gp::api {
 struct DeviceObject;
 
 // From 1, so that the top four bits of a handle are never all zero, as those of real addresses are.
-enum class HandleType : uint32_t { device = 1, texture, material, mesh, scene, instance, light, frame };
+enum class HandleType : uint32_t {
+    device = 1, texture, material, mesh, scene, instance, light, frame
+};
 const char* handleTypeName(HandleType type);
 
 // What a handle stands for. Lives on while a call or another object uses it.
@@ -52,7 +54,7 @@ private:
 
     mutable std::shared_mutex mutex_;
     std::vector<Slot> slots_;
-    std::vector<uint32_t> free_;  // capacity is kept at slots_.size(), so that removing never throws
+    std::vector<uint32_t> free_;  // has room for every slot, so that removing never throws
 };
 
 // The one table of the process; never destroyed, because calls may come from exit handlers.

@@ -32,9 +32,11 @@ void saveImage(const char* path, const GpImage& image) {
     checkImageSize(image.width, image.height, sideLimit, pixelLimit);
     checkPointer(image.pixels, "image.pixels");
     const size_t count = size_t(image.width) * image.height;
-    if (ending == FileEnding::hdr) return io::saveHdr(path, image.width, image.height, image.pixels);
+    if (ending == FileEnding::hdr)
+        return io::saveHdr(path, image.width, image.height, image.pixels);
     if (ending == FileEnding::png)
-        return io::savePng(path, image.width, image.height, displayPixels(image.pixels, count).data());
+        return io::savePng(path, image.width, image.height,
+                           displayPixels(image.pixels, count).data());
     const io::ImageLayer layer{"", "RGBA", image.pixels};
     io::saveExr(path, image.width, image.height, {&layer, 1}, io::ExrPixel::half);
 }

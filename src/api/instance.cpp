@@ -8,7 +8,8 @@ namespace gp::api {
 namespace {
 
 constexpr uint32_t allVisibility = visibleToCamera | visibleToBounce | visibleToShadow;
-static_assert(GP_VISIBLE_CAMERA == int(visibleToCamera) && GP_VISIBLE_BOUNCE == int(visibleToBounce) &&
+static_assert(GP_VISIBLE_CAMERA == int(visibleToCamera) &&
+              GP_VISIBLE_BOUNCE == int(visibleToBounce) &&
               GP_VISIBLE_SHADOW == int(visibleToShadow));
 
 // Rays and normals go through the inverse, so that must exist and be made of finite floats.
@@ -19,7 +20,8 @@ void checkInvertible(const glm::mat4x3& m, const char* field) {
     // Below this the three axes lie in a plane as far as floats can tell.
     constexpr double flattest = 1e-9;
     if (!(std::abs(volume) > flattest * lengths) || lengths == 0)
-        fail(GP_ERROR_OUT_OF_RANGE, "{} cannot be inverted: its determinant is {:g}", field, volume);
+        fail(GP_ERROR_OUT_OF_RANGE, "{} cannot be inverted: its determinant is {:g}", field,
+             volume);
     const glm::dmat3 inverse = glm::inverse(glm::dmat3(x, y, z));
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r)

@@ -31,11 +31,11 @@ void readEmission(Light& light, const GpLightDesc& desc) {
     double scale = desc.intensity;
     if (unit == GP_UNIT_PHOTOMETRIC || unit == GP_UNIT_POWER_LM) scale /= lumensPerWatt;
     if (power) scale *= perWatt(light);
-    const glm::dvec3 color = allZero(desc.color, 3) ? glm::dvec3(1) : glm::dvec3(vec3From(desc.color));
+    const glm::dvec3 color(allZero(desc.color, 3) ? glm::vec3(1) : vec3From(desc.color));
     light.emission = glm::vec3(color * scale);
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(light.emission[i]))
-            fail(GP_ERROR_OUT_OF_RANGE, "intensity times color[{}] is beyond the range of floats", i);
+            fail(GP_ERROR_OUT_OF_RANGE, "intensity times color[{}] leaves the range of floats", i);
 }
 
 void readDirection(Light& light, const GpLightDesc& desc) {

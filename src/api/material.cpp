@@ -9,7 +9,8 @@ static_assert(GP_ALPHA_MASK == int(AlphaMode::mask) && GP_ALPHA_BLEND == int(Alp
 // Reads one descriptor; the defaults of fields that are not given stand in gp::Material.
 class MaterialReader {
 public:
-    MaterialReader(DeviceObject& device, const GpMaterialDesc& desc) : device_(device), desc_(desc) {}
+    MaterialReader(DeviceObject& device, const GpMaterialDesc& desc)
+        : device_(device), desc_(desc) {}
 
     Material read() {
         if (desc_.given & ~uint32_t(GP_GIVEN_ALL_MATERIAL))
@@ -157,8 +158,10 @@ extern "C" {
 GpMaterial gpNewMaterial(GpDevice device, const GpMaterialDesc* desc) {
     return enter("gpNewMaterial", "device", device, [&](DeviceObject& d) {
         auto object = std::make_shared<MaterialObject>(d);
-        object->material = desc ? std::make_shared<const gp::Material>(MaterialReader(d, *desc).read())
-                                : d.defaultMaterial;
+        object->material = d.defaultMaterial;
+        if (desc)
+            object->material =
+                std::make_shared<const gp::Material>(MaterialReader(d, *desc).read());
         return publish<GpMaterial>(object);
     });
 }

@@ -8,7 +8,8 @@ namespace {
 constexpr uint32_t elementLimit = 1u << 28;  // of vertices and of indices
 
 static_assert(GP_MESH_STATIC == int(MeshKind::staticMesh) &&
-              GP_MESH_MOVABLE == int(MeshKind::movable) && GP_MESH_DYNAMIC == int(MeshKind::dynamic));
+              GP_MESH_MOVABLE == int(MeshKind::movable) &&
+              GP_MESH_DYNAMIC == int(MeshKind::dynamic));
 
 // Copies `count` elements that stand `stride` bytes apart. Byte by byte: strides may leave floats
 // where a float must not stand.
@@ -18,7 +19,8 @@ std::vector<T> copyStrided(const void* source, uint32_t count, size_t stride, co
     if (!source) return result;
     if (stride == 0) stride = sizeof(T);
     if (stride < sizeof(T))
-        fail(GP_ERROR_OUT_OF_RANGE, "{} is {}, but an element has {} bytes", field, stride, sizeof(T));
+        fail(GP_ERROR_OUT_OF_RANGE, "{} is {}, but an element has {} bytes", field, stride,
+             sizeof(T));
     if (stride > size_t(PTRDIFF_MAX) / count)
         fail(GP_ERROR_TOO_LARGE, "{} is {}, too large for {} vertices", field, stride, count);
     result.resize(count);
@@ -61,9 +63,11 @@ MeshData dataFrom(const GpMeshDesc& desc) {
     checkCounts(desc);
     const uint32_t count = desc.vertexCount;
     MeshData data;
-    data.positions = copyStrided<glm::vec3>(desc.positions, count, desc.positionStride, "positionStride");
+    data.positions = copyStrided<glm::vec3>(desc.positions, count, desc.positionStride,
+                                            "positionStride");
     data.normals = copyStrided<glm::vec3>(desc.normals, count, desc.normalStride, "normalStride");
-    data.tangents = copyStrided<glm::vec4>(desc.tangents, count, desc.tangentStride, "tangentStride");
+    data.tangents = copyStrided<glm::vec4>(desc.tangents, count, desc.tangentStride,
+                                           "tangentStride");
     data.uv[0] = copyStrided<glm::vec2>(desc.texCoords[0], count, desc.texCoordStride[0],
                                         "texCoordStride[0]");
     data.uv[1] = copyStrided<glm::vec2>(desc.texCoords[1], count, desc.texCoordStride[1],
@@ -87,10 +91,11 @@ MeshData dataFrom(const GpMeshDesc& desc) {
 // are generated wherever coordinates say which way they run.
 MeshOptions optionsFor(const Material& material, const MeshData& data) {
     MeshOptions options;
-    if (material.normalTexture.texture)
-        options.tangentUv = material.normalTexture.texCoord;
-    else if (material.anisotropyTexture.texture)
-        options.tangentUv = material.anisotropyTexture.texCoord;
+    for (const TextureUse* use : {&material.anisotropyTexture, &material.normalTexture}) {
+        if (!use->texture) continue;
+        options.tangentUv = use->texCoord;
+        options.uvTransform = use->uvTransform;
+    }
     const bool used = material.normalTexture.texture || material.coatNormalTexture.texture ||
                       material.anisotropy > 0;
     options.needsTangents = used || !data.uv[0].empty();

@@ -26,7 +26,9 @@ float clip(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }  // NaN becomes
 
 // PNG and JPEG by their first bytes, as io decides it: names may lie.
 bool startsLikePngOrJpeg(const std::vector<std::byte>& bytes) {
-    const auto is = [&](size_t i, int value) { return bytes.size() > i && bytes[i] == std::byte(value); };
+    const auto is = [&](size_t i, int value) {
+        return bytes.size() > i && bytes[i] == std::byte(value);
+    };
     return (is(0, 0x89) && is(1, 'P') && is(2, 'N') && is(3, 'G')) || (is(0, 0xff) && is(1, 0xd8));
 }
 

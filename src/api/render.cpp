@@ -18,7 +18,8 @@ float checkExposure(float ev) {
 
 namespace {
 
-static_assert(GP_TONEMAP_ACES == int(Tonemap::aces) && GP_TONEMAP_REINHARD == int(Tonemap::reinhard) &&
+static_assert(GP_TONEMAP_ACES == int(Tonemap::aces) &&
+              GP_TONEMAP_REINHARD == int(Tonemap::reinhard) &&
               GP_TONEMAP_NONE == int(Tonemap::none));
 static_assert(GP_PIXEL_BOX == int(PixelFilter::box) && GP_PIXEL_TENT == int(PixelFilter::tent) &&
               GP_PIXEL_GAUSSIAN == int(PixelFilter::gaussian));
@@ -138,7 +139,7 @@ void note(FrameObject& frame, const SceneObject& scene, const RenderResult& resu
     s.accelerationBytes = scene.backendScene->accelerationBytes();
 }
 
-// An exception in the middle leaves some pixels with more samples than others: the frame is emptied.
+// An exception in the middle leaves some pixels with more samples than others: empties the frame.
 void discard(FrameObject& frame) noexcept {
     std::fill(frame.images.sums.begin(), frame.images.sums.end(), PixelSums{});
     const uint64_t bytes = frame.statistics.frameBytes;
@@ -148,8 +149,8 @@ void discard(FrameObject& frame) noexcept {
     frame.rendered = false;
 }
 
-void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene, const GpCameraDesc* camera,
-            const GpRenderOptions& options) {
+void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
+            const GpCameraDesc* camera, const GpRenderOptions& options) {
     FramePlan plan = planFrom(options);
     plan.width = frame.images.width;
     plan.height = frame.images.height;
@@ -161,8 +162,8 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene, const
     const double secondsBuild = build(*scene);
     RenderResult result;
     try {
-        result = renderFrame(*frame.device->backend, *scene->backendScene, plan, frame.images, cancel,
-                             progressOf(options));
+        result = renderFrame(*frame.device->backend, *scene->backendScene, plan, frame.images,
+                             cancel, progressOf(options));
     } catch (...) {
         discard(frame);
         throw;
@@ -184,6 +185,7 @@ using namespace gp::api;
 extern "C" GpError gpRender(GpFrame frame, GpScene scene, const GpCameraDesc* camera,
                             const GpRenderOptions* options) {
     return enter("gpRender", "frame", frame, [&](FrameObject& f) {
-        render(f, resolve(*f.device, scene, "scene"), camera, options ? *options : GpRenderOptions{});
+        render(f, resolve(*f.device, scene, "scene"), camera,
+               options ? *options : GpRenderOptions{});
     });
 }

@@ -51,7 +51,8 @@ std::vector<float> layerPixels(const FrameImages& images, FrameImage which, size
 
 std::string channelsOf(FrameImage which) {
     const FrameImageInfo& info = frameImageInfo(which);
-    const bool single = info.format == FrameImageFormat::r32f || info.format == FrameImageFormat::r32ui;
+    const bool single =
+        info.format == FrameImageFormat::r32f || info.format == FrameImageFormat::r32ui;
     return std::string(info.channels).substr(0, single ? 1 : 4);
 }
 

@@ -8,7 +8,8 @@ namespace {
 constexpr uint32_t textureLimit = 32768;
 constexpr uint64_t pixelLimit = uint64_t(1) << 28;
 
-static_assert(GP_WRAP_CLAMP == int(Wrap::clampToEdge) && GP_WRAP_MIRROR == int(Wrap::mirroredRepeat));
+static_assert(GP_WRAP_CLAMP == int(Wrap::clampToEdge) &&
+              GP_WRAP_MIRROR == int(Wrap::mirroredRepeat));
 static_assert(GP_FILTER_NEAREST == int(Filter::nearest));
 
 // How the texture is read: what both kinds of texture take from their descriptor.
@@ -38,7 +39,8 @@ Image imageFrom(const GpTextureDesc& desc) {
     if (stride < packed)
         fail(GP_ERROR_OUT_OF_RANGE, "rowBytes is {}, but a row has {} bytes", stride, packed);
     if (stride > size_t(PTRDIFF_MAX) / desc.height)
-        fail(GP_ERROR_TOO_LARGE, "{} rows of {} bytes are more than memory holds", desc.height, stride);
+        fail(GP_ERROR_TOO_LARGE, "{} rows of {} bytes are more than memory holds", desc.height,
+             stride);
     image.pixels.resize(packed * desc.height);
     for (size_t y = 0; y < desc.height; ++y)
         std::memcpy(image.pixels.data() + y * packed,

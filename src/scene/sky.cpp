@@ -73,7 +73,9 @@ glm::dvec3 rec709FromXyz(const glm::dvec3& c) {
             0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
-double luminance(const glm::dvec3& c) { return 0.2126729 * c.x + 0.7151522 * c.y + 0.0721750 * c.z; }
+double luminance(const glm::dvec3& c) {
+    return 0.2126729 * c.x + 0.7151522 * c.y + 0.0721750 * c.z;
+}
 
 glm::dvec3 rec709FromYxy(double Y, double x, double y) {
     const glm::dvec3 xyz(Y * x / y, Y, Y * (1 - x - y) / y);
@@ -133,8 +135,9 @@ struct Sky {
 // In proportion first; the handbook's illuminance then gives the scale.
 Sky makeSky(const glm::dvec3& sun, double elevation) {
     const double sunTheta = pi / 2 - elevation;
-    const double Y0 = perezY.at(1, sunTheta), x0 = perezx.at(1, sunTheta),
-                 y0 = perezy.at(1, sunTheta);
+    const double Y0 = perezY.at(1, sunTheta);
+    const double xScale = zenithx(sunTheta) / perezx.at(1, sunTheta);
+    const double yScale = zenithy(sunTheta) / perezy.at(1, sunTheta);
     Sky sky;
     sky.upper.resize(size_t(skyWidth) * skyHeight / 2);
     tbb::parallel_for(0u, skyHeight / 2, [&](uint32_t y) {
@@ -143,13 +146,14 @@ Sky makeSky(const glm::dvec3& sun, double elevation) {
             const double gamma = std::acos(std::clamp(glm::dot(direction, sun), -1.0, 1.0));
             const double Y = perezY.at(direction.y, gamma) / Y0;
             sky.upper[size_t(y) * skyWidth + x] =
-                rec709FromYxy(std::max(Y, 0.0), zenithx(sunTheta) * perezx.at(direction.y, gamma) / x0,
-                              zenithy(sunTheta) * perezy.at(direction.y, gamma) / y0);
+                rec709FromYxy(std::max(Y, 0.0), xScale * perezx.at(direction.y, gamma),
+                              yScale * perezy.at(direction.y, gamma));
         }
     });
     // The solid angle of a pixel from the exact area of its row, so that few rows are enough.
     for (uint32_t y = 0; y < skyHeight / 2; ++y) {
-        const double top = std::cos(y * pi / skyHeight), bottom = std::cos((y + 1) * pi / skyHeight);
+        const double top = std::cos(y * pi / skyHeight);
+        const double bottom = std::cos((y + 1) * pi / skyHeight);
         const double projected = (top * top - bottom * bottom) * pi / skyWidth;
         for (uint32_t x = 0; x < skyWidth; ++x)
             sky.irradiance += sky.upper[size_t(y) * skyWidth + x] * projected;
