@@ -12,6 +12,7 @@
 
 #include "shading/glsl_compiler.h"
 #include "shading/vulkan_compute.h"
+#include "statistics/random.h"
 
 namespace gp::test {
 
@@ -268,7 +269,7 @@ void compareRow(const DifferentialRow& row, const CppRun& run, const std::vector
 }
 
 // Enough for the corners that the domains aim at; a long run looks further.
-uint32_t inputCount() { return std::getenv("GP_LONG_TESTS") != nullptr ? 1u << 20 : 1u << 17; }
+uint32_t inputCount() { return longTests() ? 1u << 20 : 1u << 17; }
 
 class Differential : public testing::TestWithParam<size_t> {};
 
