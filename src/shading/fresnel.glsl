@@ -25,6 +25,15 @@ float fresnel_dielectric(float cos_o, float eta) {
     return min(0.5f * s * s * (1.0f + p * p), 1.0f);
 }
 
+// 1 - F from the cosines on both sides, as a product: near the critical angle the difference has no
+// digits left, and this way it is the same number whichever way the light goes.
+// [Born and Wolf 1999, "Principles of Optics", section 1.5.2, transmissivity]
+float fresnel_transmittance(float cos_o, float cos_t, float eta) {
+    float s = cos_o + eta * cos_t;
+    float p = eta * cos_o + cos_t;
+    return 2.0f * eta * cos_o * cos_t * (1.0f / (s * s) + 1.0f / (p * p));
+}
+
 // Unpolarised light on a conductor with the complex index eta + i k, exact; eta = k = 0 is never a
 // material. [Born and Wolf 1999, "Principles of Optics", section 14.2]
 vec3 fresnel_conductor(float cos_o, vec3 eta, vec3 k) {

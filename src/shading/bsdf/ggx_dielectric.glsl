@@ -30,7 +30,10 @@ BsdfValue ggx_dielectric_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
         return v;
     }
     GgxLobe lobe = ggx_refraction(o, i, m.alpha_x, m.alpha_y, eta);
-    float t = 1.0f - fresnel_dielectric(lobe.cos_h, eta);
+    if (lobe.pdf <= 0.0f) {
+        return v;
+    }
+    float t = fresnel_transmittance(lobe.cos_h, lobe.cos_t, eta);
     v.f_cos = m.base_color * (t * lobe.f_cos);
     v.pdf = t * lobe.pdf;
     return v;

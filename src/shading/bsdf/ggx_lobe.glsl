@@ -9,6 +9,7 @@ struct GgxLobe {
     float f_cos;
     float pdf;
     float cos_h;  // between wo and the microfacet normal, for the Fresnel term
+    float cos_t;  // between wi and that normal, on its side
 };
 
 // wo.z > 0 and wi.z > 0. With S the stretched lengths (ggx_stretched) the height-correlated
@@ -23,6 +24,7 @@ GgxLobe ggx_reflection(vec3 wo, vec3 wi, float alpha_x, float alpha_y) {
     lobe.f_cos = half_d * wi.z / (wo.z * si + wi.z * so);
     lobe.pdf = half_d / (wo.z + so);
     lobe.cos_h = dot(wo, wm);
+    lobe.cos_t = lobe.cos_h;
     return lobe;
 }
 
@@ -34,6 +36,7 @@ GgxLobe ggx_refraction(vec3 wo, vec3 wi, float alpha_x, float alpha_y, float eta
     lobe.f_cos = 0.0f;
     lobe.pdf = 0.0f;
     lobe.cos_h = 0.0f;
+    lobe.cos_t = 0.0f;
     vec3 h = wo + eta * wi;
     float length_squared = dot(h, h);
     if (length_squared <= 0.0f) {
@@ -53,6 +56,7 @@ GgxLobe ggx_refraction(vec3 wo, vec3 wi, float alpha_x, float alpha_y, float eta
     lobe.f_cos = visible * g1_i * jacobian_over_eta2;
     lobe.pdf = visible * jacobian_over_eta2 * eta * eta;
     lobe.cos_h = cos_oh;
+    lobe.cos_t = -cos_ih;
     return lobe;
 }
 

@@ -54,20 +54,20 @@ vec3 gltf_reflectance(IN(BsdfParams) m, float cos_h) {
     return fresnel_schlick(f0, f90, cos_h);
 }
 
-// cos_h on wo's side. From inside of a solid body Schlick's term is taken at the refracted angle,
-// which makes it equal for both ways of the light; past the critical angle all is reflected.
+// The cosine on the outside for a cosine on wo's side; 0 past the critical angle.
+float gltf_outside_cosine(IN(BsdfParams) m, float cos_h, float eta) {
+    return eta < 1.0f && m.thin == 0u ? fresnel_g(cos_h, eta) / eta : cos_h;
+}
+
+// Schlick's term is taken at the angle on the outside, wherever wo is, which makes it equal for
+// both ways of the light. A cosine of 0 reflects everything, as does the critical angle inside.
 // [Schlick 1994, section 3, with the larger of the two angles]
-GltfFresnel gltf_interface_fresnel(IN(BsdfParams) m, float cos_h, float eta) {
+GltfFresnel gltf_interface_fresnel(IN(BsdfParams) m, float cos_outside, bool inside) {
     GltfFresnel f;
-    float cos_outside = cos_h;
-    if (eta < 1.0f && m.thin == 0u) {
-        float g = fresnel_g(cos_h, eta);
-        if (g <= 0.0f) {
-            f.reflected = vec3(1.0f);
-            f.transmitted = vec3(0.0f);
-            return f;
-        }
-        cos_outside = g / eta;
+    if (inside && cos_outside <= 0.0f) {
+        f.reflected = vec3(1.0f);
+        f.transmitted = vec3(0.0f);
+        return f;
     }
     f.reflected = gltf_reflectance(m, cos_outside);
     float share = gltf_transmissive_share(m);
@@ -91,12 +91,15 @@ float gltf_reflection_probability(IN(GltfFresnel) f) {
 BsdfValue gltf_interface_eval(IN(BsdfParams) m, vec3 o, vec3 i, float eta) {
     bool transmits = i.z < 0.0f;
     GgxLobe lobe;
+    float cos_outside;
     if (transmits && m.thin == 0u) {
         lobe = ggx_refraction(o, i, m.alpha_x, m.alpha_y, eta);
+        cos_outside = eta < 1.0f ? lobe.cos_t : lobe.cos_h;
     } else {
         lobe = ggx_reflection(o, transmits ? mirrored_z(i) : i, m.alpha_x, m.alpha_y);
+        cos_outside = gltf_outside_cosine(m, lobe.cos_h, eta);
     }
-    GltfFresnel f = gltf_interface_fresnel(m, lobe.cos_h, eta);
+    GltfFresnel f = gltf_interface_fresnel(m, cos_outside, eta < 1.0f);
     float p = gltf_reflection_probability(f);
     BsdfValue v;
     v.f_cos = (transmits ? f.transmitted : f.reflected) * lobe.f_cos;
@@ -112,7 +115,9 @@ vec3 gltf_interface_sample(IN(BsdfParams) m, vec3 o, float eta, float u_lobe, ve
         return i.z > 0.0f ? i : vec3(0.0f);
     }
     float cos_h = dot(o, wm);
-    if (u_lobe < gltf_reflection_probability(gltf_interface_fresnel(m, cos_h, eta))) {
+    float cos_outside = gltf_outside_cosine(m, cos_h, eta);
+    GltfFresnel f = gltf_interface_fresnel(m, cos_outside, eta < 1.0f);
+    if (u_lobe < gltf_reflection_probability(f)) {
         return i.z > 0.0f ? i : vec3(0.0f);
     }
     if (m.thin != 0u) {

@@ -130,9 +130,11 @@ uint microfacet_lobe(IN(BsdfParams) m, uint side) {
     return side | (alpha_is_specular(m.alpha_x, m.alpha_y) ? LOBE_SPECULAR : LOBE_GLOSSY);
 }
 
-// One width for the fits of albedos, which know no direction.
+// One width for the fits of albedos, which know no direction. What single scattering loses grows
+// with the variance of the slopes, so the squares are averaged.
 float mean_alpha(IN(BsdfParams) m) {
-    return m.alpha_x == m.alpha_y ? m.alpha_x : sqrt(m.alpha_x * m.alpha_y);
+    float square = 0.5f * (m.alpha_x * m.alpha_x + m.alpha_y * m.alpha_y);
+    return m.alpha_x == m.alpha_y ? m.alpha_x : sqrt(square);
 }
 
 #endif

@@ -51,8 +51,12 @@ float sheen_f_cos(vec3 wo, vec3 wi, float sheen_alpha) {
     float alpha = clamp(sheen_alpha, SHEEN_MIN_ALPHA, 1.0f);
     vec3 h = wo + wi;
     float sin2_h = (h.x * h.x + h.y * h.y) / dot(h, h);
-    float lambda = sheen_lambda(wo.z, alpha) + sheen_lambda(wi.z, alpha);
-    return sheen_d(sin2_h, alpha) / (4.0f * wo.z * (1.0f + lambda));
+    // The fit of Lambda is finite at the horizon, where it should grow like 1 / cos; clamped, the
+    // quotient stays bounded.
+    float cos_o = max(wo.z, 1.0e-4f);
+    float cos_i = max(wi.z, 1.0e-4f);
+    float lambda = sheen_lambda(cos_o, alpha) + sheen_lambda(cos_i, alpha);
+    return sheen_d(sin2_h, alpha) * (wi.z / cos_i) / (4.0f * cos_o * (1.0f + lambda));
 }
 
 BsdfValue sheen_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
