@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include <glm/gtc/quaternion.hpp>
-#include <xxhash.h>
 
 #include "io/gltf_animation.h"
 #include "io/gltf_light.h"
 #include "io/gltf_material.h"
 #include "io/gltf_mesh.h"
+#include "scene/hash.h"
 
 namespace gp::io {
 
@@ -23,7 +23,7 @@ uint64_t seedOf(const std::string& path, const Scene& scene) {
     uint64_t copies = 0;
     for (const std::string& source : scene.sources)
         copies += std::filesystem::path(source).filename().string() == name;
-    return XXH3_64bits_withSeed(name.data(), name.size(), copies);
+    return hashBytes(name.data(), name.size(), copies);
 }
 
 glm::mat4 trs(glm::vec3 t, glm::vec4 xyzw, glm::vec3 s) {
@@ -117,7 +117,7 @@ private:
             if (!std::isfinite(glm::length(world[c]))) where.fail("its transform is not finite");
         auto instance = std::make_shared<Instance>();
         const uint64_t key[2] = {shown.primitive, copy};
-        instance->id = XXH3_64bits_withSeed(key, sizeof key, node.pathHash);
+        instance->id = hashBytes(key, sizeof key, node.pathHash);
         instance->name = node.name.empty() ? shown.mesh->name : node.name;
         instance->mesh = shown.mesh;
         instance->worldFromObject = glm::mat4x3(world);

@@ -1,6 +1,6 @@
 #include "io/gltf_mesh.h"
 
-#include <xxhash.h>
+#include "scene/hash.h"
 
 namespace gp::io {
 
@@ -41,7 +41,7 @@ std::shared_ptr<const Mesh> Meshes::build(const Node& node, uint32_t primitive,
                               value);
     auto out = std::make_shared<Mesh>();
     const uint32_t key[2] = {*node.mesh, primitive};
-    out->id = XXH3_64bits_withSeed(key, sizeof key, owner);
+    out->id = hashBytes(key, sizeof key, owner);
     out->name = mesh.text("name", "mesh " + std::to_string(*node.mesh));
     out->kind = kind;
     const auto material = value.index("material", "materials");

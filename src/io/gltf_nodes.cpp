@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include <glm/gtc/type_ptr.hpp>
-#include <xxhash.h>
+
+#include "scene/hash.h"
 
 namespace gp::io {
 
@@ -122,7 +123,7 @@ void placeNodes(const Document& document, std::vector<Node>& nodes, uint64_t see
         if (!isFinite(n.worldFromNode))
             document.element("nodes", i).fail("its transform is not finite");
         const std::string step = n.name + "#" + std::to_string(i);
-        n.pathHash = XXH3_64bits_withSeed(step.data(), step.size(), parentHash);
+        n.pathHash = hashBytes(step.data(), step.size(), parentHash);
     }
 }
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <xxhash.h>
+#include "scene/hash.h"
 
 namespace gp {
 
@@ -40,7 +40,7 @@ std::vector<uint32_t> weld(const TangentInput& in) {
     std::vector<uint32_t> table(slots, none), welded(count);
     for (size_t v = 0; v < count; ++v) {
         const Key k = key(v);
-        size_t slot = XXH3_64bits(&k, sizeof k) & (slots - 1);
+        size_t slot = hashBytes(&k, sizeof k) & (slots - 1);
         while (table[slot] != none && !(key(table[slot]) == k)) slot = (slot + 1) & (slots - 1);
         if (table[slot] == none) table[slot] = static_cast<uint32_t>(v);
         welded[v] = table[slot];
