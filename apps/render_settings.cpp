@@ -105,7 +105,8 @@ void addCameraOptions(CLI::App& app, RenderSettings& s) {
 void addQualityOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Quality (the first limit that is reached ends the render)";
     GpRenderOptions& o = s.options;
-    addWord(app, "--spp", "N", "Samples a pixel (default 64; no limit if one of the next two is set)",
+    addWord(app, "--spp", "N",
+            "Samples a pixel (default 64; no limit if one of the next two is set)",
             [&o](const std::string& word) {
                 o.samplesPerPixel =
                     static_cast<std::uint32_t>(parseInteger("--spp", word, 1, kMaxSamples));
