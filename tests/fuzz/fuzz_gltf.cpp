@@ -1,0 +1,52 @@
+// Any bytes must give a scene that can be traced, or a FileError that leaves the scene empty.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <unistd.h>
+
+#include "io/gltf.h"
+
+namespace {
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+void checkScene(const gp::Scene& scene) {
+    for (const auto& instance : scene.instances) {
+        const gp::Mesh& mesh = *instance->mesh;
+        require(mesh.material != nullptr && !mesh.triangles.empty());
+        require(mesh.positions.size() == mesh.vertexCount() + 1);
+        require(mesh.uv1.empty() || mesh.uv1.size() == mesh.vertexCount());
+        require(mesh.colors.empty() || mesh.colors.size() == mesh.vertexCount());
+        for (const glm::uvec3 t : mesh.triangles)
+            for (int c = 0; c < 3; ++c) require(t[c] < mesh.vertexCount());
+    }
+    const gp::Bounds b = gp::worldBounds(scene);
+    require(b.empty() || (std::isfinite(b.lo.x) && std::isfinite(b.hi.x)));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    static const std::string path =
+        (std::filesystem::temp_directory_path() / ("gp-fuzz-" + std::to_string(getpid()))).string();
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    require(file != nullptr);
+    std::fwrite(data, 1, size, file);
+    std::fclose(file);
+    gp::Scene scene;
+    try {
+        gp::io::GltfOptions options;
+        options.time = 0.7;
+        options.maxImagePixels = uint64_t(1) << 20;
+        gp::io::loadGltf(path, options, scene);
+        checkScene(scene);
+    } catch (const gp::io::FileError&) {
+        require(scene.instances.empty() && scene.sources.empty() && scene.revision == 0);
+    }
+    return 0;
+}
