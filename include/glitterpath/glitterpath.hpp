@@ -1,0 +1,240 @@
+// Glitterpath for C++20: the C interface with owners instead of handles and exceptions instead of
+// codes. Header only, the same nouns; whatever is not here is called as in C, with get().
+//
+//     gp::Device device;
+//     gp::Scene scene(device);
+//     scene.load("helmet.glb");
+//     gp::Frame frame(device, 640, 360);
+//     frame.render(scene);
+//     frame.save("helmet.png");
+//
+// Objects are moved, not copied; each gives its handle back when it ends. A moved-from or
+// default-constructed object is empty. Threads and units: see glitterpath.h.
+#ifndef GLITTERPATH_HPP
+#define GLITTERPATH_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "glitterpath/glitterpath.h"
+
+namespace gp {
+inline namespace wrapper {  // so that these names never meet those inside of the library
+
+// What failing calls throw: the code, and the library's one line as what().
+class Error : public std::runtime_error {
+public:
+    Error(GpError code, const char* message) : std::runtime_error(message), code_(code) {}
+    GpError code() const noexcept { return code_; }
+
+private:
+    GpError code_;
+};
+
+namespace detail {
+
+// The reason of a failure stands with the device, or with none where there was none.
+[[noreturn]] inline void raise(GpDevice device) {
+    const char* message = "";
+    GpError code = gpGetError(device, &message);
+    if (code == GP_SUCCESS) code = gpGetError(nullptr, &message);
+    throw Error(code, message);
+}
+
+inline void check(GpError result, GpDevice device) {
+    if (result != GP_SUCCESS) raise(device);
+}
+
+template <class Handle>
+Handle checked(Handle handle, GpDevice device) {
+    if (!handle) raise(device);
+    return handle;
+}
+
+}  // namespace detail
+
+// Owns one handle; `release` gives it back.
+template <class Handle, GpError (*release)(Handle)>
+class Owner {
+public:
+    Owner() = default;
+    Owner(Handle handle, GpDevice device) : handle_(handle), device_(device) {}
+    Owner(Owner&& other) noexcept { swap(other); }
+    Owner& operator=(Owner&& other) noexcept {
+        Owner(std::move(other)).swap(*this);
+        return *this;
+    }
+    ~Owner() {
+        if (handle_) release(handle_);
+    }
+
+    Handle get() const noexcept { return handle_; }
+    GpDevice device() const noexcept { return device_; }
+    explicit operator bool() const noexcept { return handle_ != nullptr; }
+
+protected:
+    void check(GpError result) const { detail::check(result, device_); }
+    void forget() noexcept { handle_ = nullptr; }  // the library has taken the handle back
+
+private:
+    void swap(Owner& other) noexcept {
+        std::swap(handle_, other.handle_);
+        std::swap(device_, other.device_);
+    }
+    Handle handle_ = nullptr;
+    GpDevice device_ = nullptr;
+};
+
+// Outlives everything made from it.
+class Device : public Owner<GpDevice, gpReleaseDevice> {
+public:
+    explicit Device(const GpDeviceDesc& desc = {}) : Device(gpNewDevice(&desc)) {}
+    std::string name() const { return detail::checked(gpGetDeviceName(get()), get()); }
+    void cancel() const noexcept { gpCancelRender(get()); }
+
+private:
+    explicit Device(GpDevice handle) : Owner(detail::checked(handle, nullptr), handle) {}
+};
+
+class Texture : public Owner<GpTexture, gpReleaseTexture> {
+public:
+    Texture() = default;
+    Texture(const Device& d, const GpTextureDesc& desc)
+        : Owner(detail::checked(gpNewTexture(d.get(), &desc), d.get()), d.get()) {}
+    Texture(const Device& d, const std::string& path, const GpTextureDesc& desc = {})
+        : Owner(detail::checked(gpNewTextureFromFile(d.get(), path.c_str(), &desc), d.get()),
+                d.get()) {}
+};
+
+class Material : public Owner<GpMaterial, gpReleaseMaterial> {
+public:
+    Material() = default;
+    explicit Material(const Device& d, const GpMaterialDesc& desc = {})
+        : Owner(detail::checked(gpNewMaterial(d.get(), &desc), d.get()), d.get()) {}
+};
+
+class Mesh : public Owner<GpMesh, gpReleaseMesh> {
+public:
+    Mesh() = default;
+    Mesh(const Device& d, const GpMeshDesc& desc)
+        : Owner(detail::checked(gpNewMesh(d.get(), &desc), d.get()), d.get()) {}
+    void update(const GpMeshDesc& desc) { check(gpUpdateMesh(get(), &desc)); }
+};
+
+class Scene : public Owner<GpScene, gpReleaseScene> {
+public:
+    Scene() = default;
+    explicit Scene(const Device& d)
+        : Owner(detail::checked(gpNewScene(d.get()), d.get()), d.get()) {}
+    void load(const std::string& path, const GpLoadOptions& options = {}) {
+        check(gpLoadSceneFile(get(), path.c_str(), &options));
+    }
+    void setEnvironment(const GpEnvironmentDesc& desc) { check(gpSetEnvironment(get(), &desc)); }
+    void setEnvironment(const std::string& path, const GpEnvironmentDesc& desc = {}) {
+        check(gpSetEnvironmentFromFile(get(), path.c_str(), &desc));
+    }
+    void setSky(float sunAzimuth, float sunElevation, float sunLux = 0) {
+        check(gpSetSky(get(), sunAzimuth, sunElevation, sunLux));
+    }
+    GpSceneInfo info() const {
+        GpSceneInfo result{};
+        check(gpGetSceneInfo(get(), &result));
+        return result;
+    }
+    std::string describe() const {
+        size_t needed = 0;
+        check(gpDescribeScene(get(), nullptr, 0, &needed));
+        std::string text(needed, '\0');
+        check(gpDescribeScene(get(), text.data(), text.size(), nullptr));
+        text.pop_back();  // the closing zero
+        return text;
+    }
+    GpCameraDesc camera(uint32_t index) const {
+        GpCameraDesc result{};
+        check(gpGetSceneCamera(get(), index, &result, nullptr));
+        return result;
+    }
+    GpCameraDesc frame(float aspect) const {
+        GpCameraDesc result{};
+        check(gpFrameScene(get(), aspect, &result));
+        return result;
+    }
+};
+
+// Letting go of an instance or a light leaves it in its scene; remove() takes it out.
+class Instance : public Owner<GpInstance, gpReleaseInstance> {
+public:
+    Instance() = default;
+    Instance(const Scene& s, const GpInstanceDesc& desc)
+        : Owner(detail::checked(gpNewInstance(s.get(), &desc), s.device()), s.device()) {}
+    void setTransform(const float* worldFromObject) {
+        check(gpSetInstanceTransform(get(), worldFromObject));
+    }
+    void remove() {
+        check(gpRemoveInstance(get()));
+        forget();
+    }
+};
+
+class Light : public Owner<GpLight, gpReleaseLight> {
+public:
+    Light() = default;
+    Light(const Scene& s, const GpLightDesc& desc)
+        : Owner(detail::checked(gpNewLight(s.get(), &desc), s.device()), s.device()) {}
+    void set(const GpLightDesc& desc) { check(gpSetLight(get(), &desc)); }
+    void remove() {
+        check(gpRemoveLight(get()));
+        forget();
+    }
+};
+
+class Frame : public Owner<GpFrame, gpReleaseFrame> {
+public:
+    Frame() = default;
+    Frame(const Device& d, uint32_t width, uint32_t height) : Frame(d, descOf(width, height)) {}
+    Frame(const Device& d, const GpFrameDesc& desc)
+        : Owner(detail::checked(gpNewFrame(d.get(), &desc), d.get()), d.get()),
+          pixels_(size_t(desc.width) * desc.height) {}
+    void render(const Scene& scene, const GpRenderOptions& options = {}) {
+        check(gpRender(get(), scene.get(), nullptr, &options));
+    }
+    void render(const Scene& scene, const GpCameraDesc& camera,
+                const GpRenderOptions& options = {}) {
+        check(gpRender(get(), scene.get(), &camera, &options));
+    }
+    void tonemap(float exposureEv, GpTonemap curve = GP_TONEMAP_AGX) {
+        check(gpTonemapFrame(get(), exposureEv, curve));
+    }
+    std::vector<std::byte> read(GpFrameImage image) const {
+        GpImageInfo info{};
+        detail::check(gpGetImageInfo(image, &info), nullptr);
+        std::vector<std::byte> bytes(pixels_ * info.bytesPerPixel);
+        check(gpReadFrameImage(get(), image, bytes.data(), bytes.size()));
+        return bytes;
+    }
+    void save(const std::string& path, const GpSaveOptions& options = {}) const {
+        check(gpSaveFrame(get(), path.c_str(), &options));
+    }
+    GpFrameStatistics statistics() const {
+        GpFrameStatistics result{};
+        check(gpGetFrameStatistics(get(), &result));
+        return result;
+    }
+
+private:
+    static GpFrameDesc descOf(uint32_t width, uint32_t height) {
+        GpFrameDesc desc{};
+        desc.width = width;
+        desc.height = height;
+        return desc;
+    }
+    size_t pixels_ = 0;
+};
+
+}  // namespace wrapper
+}  // namespace gp
+#endif

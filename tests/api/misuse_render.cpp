@@ -1,0 +1,137 @@
+#include <limits>
+
+#include "api/world.h"
+
+namespace gp::test {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr float nanf = std::numeric_limits<float>::quiet_NaN();
+
+Row optionRow(const char* what, GpError expected, const char* message,
+              void (*change)(GpRenderOptions&)) {
+    return {"gpRender", what, expected, message, [change](World& w) {
+                GpRenderOptions options = fewSamples();
+                change(options);
+                return gpRender(w.frame, w.scene, nullptr, &options);
+            }};
+}
+
+Row cameraRow(const char* what, GpError expected, const char* message,
+              void (*change)(GpCameraDesc&)) {
+    return {"gpRender", what, expected, message, [change](World& w) {
+                const GpRenderOptions options = fewSamples();
+                GpCameraDesc camera{};
+                change(camera);
+                return gpRender(w.frame, w.scene, &camera, &options);
+            }};
+}
+
+Row accumulateRow(const char* what, GpError expected, const char* message,
+                  GpError (*render)(World&, const GpRenderOptions&)) {
+    return {"gpRender", what, expected, message, [render](World& w) {
+                GpRenderOptions options = fewSamples();
+                options.accumulate = 1;
+                return render(w, options);
+            }};
+}
+
+void addOptionRows(Rows& rows) {
+    const Rows more = {
+        optionRow("time limit below 0", GP_ERROR_OUT_OF_RANGE, "options.timeLimit is -1",
+                  [](GpRenderOptions& o) { o.timeLimit = -1; }),
+        optionRow("time limit is NaN", GP_ERROR_NOT_FINITE, "options.timeLimit",
+                  [](GpRenderOptions& o) { o.timeLimit = nan; }),
+        optionRow("noise target below 0", GP_ERROR_OUT_OF_RANGE, "options.noiseTarget",
+                  [](GpRenderOptions& o) { o.noiseTarget = -0.5; }),
+        optionRow("noise target is infinite", GP_ERROR_NOT_FINITE, "options.noiseTarget is inf",
+                  [](GpRenderOptions& o) { o.noiseTarget = inf; }),
+        optionRow("bounces below none", GP_ERROR_OUT_OF_RANGE, "options.maxBounces is -2",
+                  [](GpRenderOptions& o) { o.maxBounces = -2; }),
+        optionRow("unknown shading", GP_ERROR_INVALID_ARGUMENT, "options.shading",
+                  [](GpRenderOptions& o) { o.shading = GpShading(2); }),
+        optionRow("unknown filter", GP_ERROR_INVALID_ARGUMENT, "options.pixelFilter",
+                  [](GpRenderOptions& o) { o.pixelFilter = GpPixelFilter(4); }),
+        optionRow("filter too wide", GP_ERROR_OUT_OF_RANGE, "options.pixelFilterRadius is 17",
+                  [](GpRenderOptions& o) { o.pixelFilterRadius = 17; }),
+        optionRow("filter below 0", GP_ERROR_OUT_OF_RANGE, "options.pixelFilterRadius",
+                  [](GpRenderOptions& o) { o.pixelFilterRadius = -1; }),
+        optionRow("clamp below 0", GP_ERROR_OUT_OF_RANGE, "options.clamp",
+                  [](GpRenderOptions& o) { o.clamp = -1; }),
+        optionRow("clamp is NaN", GP_ERROR_NOT_FINITE, "options.clamp",
+                  [](GpRenderOptions& o) { o.clamp = nanf; }),
+        optionRow("exposure out of range", GP_ERROR_OUT_OF_RANGE, "exposureEv",
+                  [](GpRenderOptions& o) { o.exposureEv = -200; }),
+        optionRow("unknown tone map", GP_ERROR_INVALID_ARGUMENT, "options.tonemap",
+                  [](GpRenderOptions& o) { o.tonemap = GpTonemap(99); }),
+    };
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
+void addCameraRows(Rows& rows) {
+    const Rows more = {
+        cameraRow("unknown camera", GP_ERROR_INVALID_ARGUMENT, "camera.kind",
+                  [](GpCameraDesc& c) { c.kind = GpCameraKind(2); }),
+        cameraRow("position is NaN", GP_ERROR_NOT_FINITE, "camera.position[0]",
+                  [](GpCameraDesc& c) { c.position[0] = nanf; }),
+        cameraRow("target is NaN", GP_ERROR_NOT_FINITE, "camera.target[2]",
+                  [](GpCameraDesc& c) { c.target[2] = nanf; }),
+        cameraRow("too far away to see anything", GP_ERROR_OUT_OF_RANGE, "no direction",
+                  [](GpCameraDesc& c) { c.position[2] = c.target[2] = 1e20f; }),
+        cameraRow("up is NaN", GP_ERROR_NOT_FINITE, "camera.up[1]",
+                  [](GpCameraDesc& c) { c.up[1] = nanf; }),
+        cameraRow("up along the view", GP_ERROR_OUT_OF_RANGE, "camera.up is parallel",
+                  [](GpCameraDesc& c) { c.up[2] = 2; }),
+        cameraRow("field of view below 0", GP_ERROR_OUT_OF_RANGE, "camera.verticalFov",
+                  [](GpCameraDesc& c) { c.verticalFov = -1; }),
+        cameraRow("field of view of pi", GP_ERROR_OUT_OF_RANGE, "camera.verticalFov",
+                  [](GpCameraDesc& c) { c.verticalFov = 3.14159274f; }),
+        cameraRow("height below 0", GP_ERROR_OUT_OF_RANGE, "camera.orthographicHeight",
+                  [](GpCameraDesc& c) { c.orthographicHeight = -2; }),
+        cameraRow("aperture below 0", GP_ERROR_OUT_OF_RANGE, "camera.apertureRadius",
+                  [](GpCameraDesc& c) { c.apertureRadius = -1; }),
+        cameraRow("focus is NaN", GP_ERROR_NOT_FINITE, "camera.focusDistance",
+                  [](GpCameraDesc& c) { c.focusDistance = nanf; }),
+    };
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Rows renderRows() {
+    Rows rows = {
+        {"gpRender", "scene of another device", GP_ERROR_INVALID_HANDLE,
+         "scene belongs to another device",
+         [](World& w) { return gpRender(w.frame, w.foreign.scene, nullptr, nullptr); }},
+        accumulateRow("onto another scene", GP_ERROR_INVALID_OPERATION, "another scene",
+                      [](World& w, const GpRenderOptions& options) {
+                          const GpScene empty = gpNewScene(w.device);
+                          return gpRender(w.frame, empty, nullptr, &options);
+                      }),
+        accumulateRow("onto another view", GP_ERROR_INVALID_OPERATION, "another view",
+                      [](World& w, const GpRenderOptions& options) {
+                          GpCameraDesc camera{};
+                          camera.position[0] = 5;
+                          return gpRender(w.frame, w.scene, &camera, &options);
+                      }),
+        accumulateRow("more samples than can be counted", GP_ERROR_TOO_LARGE, "added to 2",
+                      [](World& w, const GpRenderOptions& options) {
+                          GpRenderOptions many = options;
+                          many.samplesPerPixel = 4294967294u;
+                          return gpRender(w.frame, w.scene, nullptr, &many);
+                      }),
+    };
+    addOptionRows(rows);
+    addCameraRows(rows);
+    addHandleRows<GpFrame>(rows, "gpRender", "frame", [](World& w, GpFrame f) {
+        return gpRender(f, w.scene, nullptr, nullptr);
+    });
+    addHandleRows<GpScene>(rows, "gpRender", "scene", [](World& w, GpScene s) {
+        return gpRender(w.frame, s, nullptr, nullptr);
+    });
+    return rows;
+}
+
+}  // namespace gp::test

@@ -1,0 +1,101 @@
+#include <cstdint>
+#include <fstream>
+#include <limits>
+
+#include "api/world.h"
+
+namespace gp::test {
+
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+Row row(const char* what, GpError expected, const char* message, void (*change)(GpTextureDesc&)) {
+    return {"gpNewTexture", what, expected, message, [change](World& w) {
+                GpTextureDesc desc = textureDesc();
+                change(desc);
+                return made(gpNewTexture(w.device, &desc));
+            }};
+}
+
+Row fileRow(const char* what, GpError expected, const char* message, const char* content) {
+    return {"gpNewTextureFromFile", what, expected, message, [content](World& w) {
+                const std::string path = w.folder + "gp_misuse_texture.png";
+                std::ofstream(path) << content;
+                return made(gpNewTextureFromFile(w.device, path.c_str(), nullptr));
+            }};
+}
+
+}  // namespace
+
+Rows textureRows() {
+    Rows rows = {
+        {"gpNewTexture", "no descriptor", GP_ERROR_INVALID_ARGUMENT, "desc is NULL",
+         [](World& w) { return made(gpNewTexture(w.device, nullptr)); }},
+        {"gpNewTexture", "a descriptor of zeros", GP_ERROR_INVALID_ARGUMENT, "width is 0",
+         [](World& w) {
+             const GpTextureDesc zeros{};
+             return made(gpNewTexture(w.device, &zeros));
+         }},
+        row("no height", GP_ERROR_INVALID_ARGUMENT, "height is 0",
+            [](GpTextureDesc& d) { d.height = 0; }),
+        row("too wide", GP_ERROR_TOO_LARGE, "width is 32769",
+            [](GpTextureDesc& d) { d.width = 32769; }),
+        row("too high", GP_ERROR_TOO_LARGE, "height is 4294967295",
+            [](GpTextureDesc& d) { d.height = UINT32_MAX; }),
+        row("too many pixels", GP_ERROR_TOO_LARGE, "268435456 pixels",
+            [](GpTextureDesc& d) { d.width = d.height = 32768; }),
+        row("no pixels", GP_ERROR_INVALID_ARGUMENT, "pixels is NULL",
+            [](GpTextureDesc& d) { d.pixels = nullptr; }),
+        row("rows shorter than the pixels", GP_ERROR_OUT_OF_RANGE, "rowBytes is 7",
+            [](GpTextureDesc& d) { d.rowBytes = 7; }),
+        row("rows that overflow", GP_ERROR_TOO_LARGE, "more than memory",
+            [](GpTextureDesc& d) { d.rowBytes = SIZE_MAX / 2; }),
+        row("unknown format", GP_ERROR_INVALID_ARGUMENT, "format",
+            [](GpTextureDesc& d) { d.format = GpPixelFormat(2); }),
+        row("unknown colour space", GP_ERROR_INVALID_ARGUMENT, "colorSpace",
+            [](GpTextureDesc& d) { d.colorSpace = GpColorSpace(2); }),
+        row("unknown wrapU", GP_ERROR_INVALID_ARGUMENT, "wrapU",
+            [](GpTextureDesc& d) { d.wrapU = GpWrap(3); }),
+        row("unknown wrapV", GP_ERROR_INVALID_ARGUMENT, "wrapV",
+            [](GpTextureDesc& d) { d.wrapV = GpWrap(77); }),
+        row("unknown magFilter", GP_ERROR_INVALID_ARGUMENT, "magFilter",
+            [](GpTextureDesc& d) { d.magFilter = GpFilter(2); }),
+        row("unknown minFilter", GP_ERROR_INVALID_ARGUMENT, "minFilter",
+            [](GpTextureDesc& d) { d.minFilter = GpFilter(2); }),
+        row("a pixel that is NaN", GP_ERROR_NOT_FINITE, "pixels[6] is nan",
+            [](GpTextureDesc& d) {
+                static const float pixels[16] = {0, 0, 0, 1, 0, 0, nan, 1};
+                d.format = GP_FORMAT_RGBA32F;
+                d.pixels = pixels;
+            }),
+        {"gpNewTextureFromFile", "no path", GP_ERROR_INVALID_ARGUMENT, "path is NULL",
+         [](World& w) { return made(gpNewTextureFromFile(w.device, nullptr, nullptr)); }},
+        {"gpNewTextureFromFile", "empty path", GP_ERROR_INVALID_ARGUMENT, "path is empty",
+         [](World& w) { return made(gpNewTextureFromFile(w.device, "", nullptr)); }},
+        {"gpNewTextureFromFile", "no such file", GP_ERROR_FILE_NOT_FOUND, "nowhere.png",
+         [](World& w) { return made(gpNewTextureFromFile(w.device, "nowhere.png", nullptr)); }},
+        fileRow("not an image", GP_ERROR_FILE_INVALID, "gp_misuse_texture.png", "hello, world\n"),
+        fileRow("an empty file", GP_ERROR_FILE_INVALID, "gp_misuse_texture.png", ""),
+        fileRow("a truncated PNG", GP_ERROR_FILE_INVALID, "gp_misuse_texture.png",
+                "\x89PNG\r\n\x1a\n"),
+        {"gpNewTextureFromFile", "unknown wrap", GP_ERROR_INVALID_ARGUMENT, "wrapU",
+         [](World& w) {
+             GpTextureDesc desc{};
+             desc.wrapU = GpWrap(9);
+             return made(gpNewTextureFromFile(w.device, "nowhere.png", &desc));
+         }},
+    };
+    addHandleRows<GpDevice>(rows, "gpNewTexture", "device", [](World&, GpDevice d) {
+        const GpTextureDesc desc = textureDesc();
+        return made(gpNewTexture(d, &desc));
+    });
+    addHandleRows<GpDevice>(rows, "gpNewTextureFromFile", "device", [](World&, GpDevice d) {
+        return made(gpNewTextureFromFile(d, "nowhere.png", nullptr));
+    });
+    addHandleRows<GpTexture>(rows, "gpReleaseTexture", "texture",
+                             [](World&, GpTexture t) { return gpReleaseTexture(t); });
+    return rows;
+}
+
+}  // namespace gp::test
