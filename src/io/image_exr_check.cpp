@@ -77,7 +77,32 @@ uint64_t countChannels(Cursor& in, size_t end) {
         if (x < 1 || y < 1) in.source.fail("damaged EXR: bad sampling of a channel");
         ++count;
     }
+    if (in.position != end) in.source.fail("damaged EXR: the list of channels has a wrong size");
     return count;
+}
+
+// OpenEXR reads values of these types by their own size whatever the file says, and so would
+// leave our path through the header.
+void checkFixedSize(Cursor& in, std::string_view name, std::string_view type, int32_t size) {
+    struct Fixed {
+        std::string_view type;
+        int32_t size;
+    };
+    constexpr Fixed fixed[] = {
+        {"box2i", 16}, {"box2f", 16},   {"chromaticities", 32}, {"compression", 1}, {"double", 8},
+        {"envmap", 1}, {"float", 4},    {"int", 4},             {"keycode", 28},    {"lineOrder", 1},
+        {"m33f", 36},  {"m33d", 72},    {"m44f", 64},           {"m44d", 128},      {"rational", 8},
+        {"tiledesc", 9}, {"timecode", 8}, {"v2i", 8},           {"v2f", 8},         {"v2d", 16},
+        {"v3i", 12},   {"v3f", 12},     {"v3d", 24},            {"deepImageState", 1}};
+    for (const Fixed& f : fixed)
+        if (f.type == type && f.size != size)
+            in.source.fail("damaged EXR: attribute '" + std::string(name) + "' has a wrong size");
+    if (type == "preview") {
+        Cursor copy = in;
+        const uint64_t w = uint32_t(copy.int32()), h = uint32_t(copy.int32());
+        if (size < 8 || (h > 0 && w > (uint64_t(size) - 8) / 4 / h))
+            in.source.fail("damaged EXR: the preview is larger than its attribute");
+    }
 }
 
 // Reads one attribute; false at the end of the header.
@@ -91,9 +116,10 @@ bool readAttribute(Cursor& in, Part& part) {
         in.source.fail("damaged EXR: attribute '" + std::string(name) +
                        "' is longer than the file");
     const size_t end = begin + size_t(size);
+    checkFixedSize(in, name, type, size);
     if (type == "box2i" && name == "dataWindow") part.data = readWindow(in);
     if (type == "box2i" && name == "displayWindow") part.display = readWindow(in);
-    if (type == "chlist" && name == "channels") part.channels = countChannels(in, end);
+    if (type == "chlist") part.channels = countChannels(in, end);
     if (type == "compression") part.compression = *in.take(1);
     if (type == "int" && name == "chunkCount") part.chunkCount = uint64_t(uint32_t(in.int32()));
     if (type == "tiledesc" && name == "tiles") {

@@ -111,7 +111,7 @@ bool parseResolution(std::string_view line, uint64_t& width, uint64_t& height) {
 void encodePixel(const float* rgba, uint8_t* out) {
     float rgb[3];
     for (int c = 0; c < 3; ++c)
-        rgb[c] = rgba[c] > 0 ? std::min(rgba[c], 1.7e38f) : 0.0f;  // NaN and negatives: black
+        rgb[c] = rgba[c] > 0 ? std::min(rgba[c], 1.69e38f) : 0.0f;  // NaN and negatives: black
     const float largest = std::max({rgb[0], rgb[1], rgb[2]});
     std::memset(out, 0, 4);
     if (largest < 1e-32f) return;

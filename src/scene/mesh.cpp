@@ -18,7 +18,8 @@ glm::vec3 faceNormal(const std::vector<glm::vec3>& positions, glm::uvec3 t) {
 // Unit length, or zero where there is no direction.
 glm::vec3 unit(glm::vec3 v) {
     // Scaled first: squares of very small or large components leave the range of float.
-    const float most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    // (A sum, unlike a maximum, does not lose a NaN.)
+    const float most = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
     if (!(most > 0) || !std::isfinite(most)) return glm::vec3(0);
     return glm::normalize(v / most);
 }
