@@ -2,10 +2,11 @@
 // picks, in proportion to the irradiance that each may bring.
 // Based on: Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
 // Splitting", HPG; here without splitting, one light a choice.
-// Resources: load_frame, load_light, load_light_node; load_triangle_emission for textured lights.
+// Resources: load_frame, load_light, load_light_node, and those of surface.glsl for textured lights.
 #ifndef GP_KERNELS_LIGHT_CHOICE_GLSL
 #define GP_KERNELS_LIGHT_CHOICE_GLSL
 #include "kernels/environment.glsl"
+#include "kernels/material.glsl"
 #include "shading/colour.glsl"
 #include "shading/light/directional.glsl"
 #include "shading/light/rectangle.glsl"
@@ -163,11 +164,64 @@ float light_choice_pmf(vec3 p, vec3 normal, uint index) {
     return pmf;
 }
 
+DirectionalLight directional_light(IN(LightRecord) r) {
+    DirectionalLight l;
+    l.direction = -r.direction;
+    l.irradiance = r.emission;
+    float s = sin(0.5f * r.radius);
+    l.one_minus_cos_max = 2.0f * s * s;
+    return l;
+}
+
+SphereLight sphere_light(IN(LightRecord) r) {
+    SphereLight l;
+    l.position = r.position;
+    l.radius = r.radius;
+    l.emission = r.emission;
+    l.axis = r.direction;
+    l.cos_inner = r.cos_inner;
+    l.cos_outer = r.kind == LIGHT_SPOT ? r.cos_outer : -2.0f;
+    return l;
+}
+
+RectangleLight rectangle_light(IN(LightRecord) r) {
+    RectangleLight l;
+    l.corner = r.position;
+    l.edge_x = r.edge_u;
+    l.edge_y = r.edge_v;
+    l.radiance = r.emission;
+    l.two_sided = r.two_sided;
+    return l;
+}
+
+TriangleLight triangle_light(IN(LightRecord) r) {
+    TriangleLight l;
+    l.p0 = r.position;
+    l.edge_1 = r.edge_u;
+    l.edge_2 = r.edge_v;
+    l.radiance = r.emission;
+    l.two_sided = r.two_sided;
+    return l;
+}
+
+// What an emissive triangle's texture makes of its radiance at one point.
+vec3 triangle_emission(IN(LightRecord) r, vec3 barycentrics) {
+    LET_REF(InstanceRecord) instance = load_instance(r.instance);
+    LET_REF(MaterialRecord) m = load_material(instance.material);
+    if ((m.textures & SLOT_EMISSION) == 0u) { return r.emission; }
+    TriangleCorners c = load_triangle(instance.geometry, r.primitive);
+    Surface s;
+    s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, barycentrics.y, barycentrics.z);
+    s.uv1 = load_uv1(instance.geometry, r.primitive, barycentrics.y, barycentrics.z);
+    s.lod = FINEST_LEVEL;
+    return r.emission * vec3(read_slot(m.emission_slot, s, 0.0f));
+}
+
 // One point of the chosen light, as seen from p.
 LightSample sample_light(uint index, vec3 p, vec2 u) {
-    LightSample s;
     if (index == LIGHT_ENVIRONMENT) {
         EnvironmentSample e = environment_sample(u);
+        LightSample s;
         s.wi = e.wi;
         s.distance = FLOAT_MAX;
         s.radiance = environment_radiance(e.wi);
@@ -176,35 +230,30 @@ LightSample sample_light(uint index, vec3 p, vec2 u) {
         return s;
     }
     LET_REF(LightRecord) r = load_light(index);
-    if (r.kind == LIGHT_DIRECTIONAL) { return directional_light_sample(r.direction, r.radius, r.emission, u); }
-    if (r.kind == LIGHT_RECTANGLE) {
-        return rectangle_light_sample(p, r.position, r.edge_u, r.edge_v, r.emission, r.two_sided, u);
-    }
+    if (r.kind == LIGHT_DIRECTIONAL) { return directional_light_sample(directional_light(r), u); }
+    if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_sample(rectangle_light(r), p, u); }
     if (r.kind == LIGHT_TRIANGLE) {
-        return triangle_light_sample(p, r.position, r.edge_u, r.edge_v, r.direction,
-                                     r.emission, r.two_sided, u);
+        LightSample s = triangle_light_sample(triangle_light(r), p, u);
+        s.radiance = s.pdf > 0.0f ? triangle_emission(r, triangle_light_barycentrics(u)) : vec3(0.0f);
+        return s;
     }
-    s = sphere_light_sample(p, r.position, r.radius, r.emission, u);
-    if (r.kind == LIGHT_SPOT) { s.radiance *= spot_falloff(r.direction, -s.wi, r.cos_inner, r.cos_outer); }
-    return s;
+    return sphere_light_sample(sphere_light(r), p, u);
 }
 
-// The density in solid angle with which sample_light chooses `direction` from p, given that it meets the
-// light at distance t.
-float light_pdf(IN(LightRecord) r, vec3 p, vec3 direction, float t) {
-    if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_pdf(p, r.position, r.edge_u, r.edge_v, direction); }
-    if (r.kind == LIGHT_TRIANGLE) { return triangle_light_pdf(r.area, r.direction, direction, t); }
-    return sphere_light_pdf(p, r.position, r.radius);
+// The density in solid angle with which sample_light leads from p to the point p + to_light of a light that
+// is not infinitely far.
+float light_pdf(IN(LightRecord) r, vec3 p, vec3 to_light) {
+    if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_pdf(rectangle_light(r), p, to_light); }
+    if (r.kind == LIGHT_TRIANGLE) { return triangle_light_pdf(triangle_light(r), to_light); }
+    return sphere_light_pdf(sphere_light(r), p, to_light);
 }
 
-// Radiance of a sphere or rectangle that a ray along `direction` met.
-vec3 light_radiance(IN(LightRecord) r, vec3 direction) {
+// Radiance of a sphere or rectangle that a ray from p along `direction` met.
+vec3 light_radiance(IN(LightRecord) r, vec3 p, vec3 direction) {
     if (r.kind == LIGHT_RECTANGLE) {
         return dot(r.direction, direction) < 0.0f || r.two_sided != 0u ? r.emission : vec3(0.0f);
     }
-    vec3 radiance = r.emission / (PI * r.radius * r.radius);
-    if (r.kind == LIGHT_SPOT) { radiance *= spot_falloff(r.direction, direction, r.cos_inner, r.cos_outer); }
-    return radiance;
+    return sphere_light_emission(sphere_light(r), p);
 }
 
 #endif

@@ -13,6 +13,8 @@ struct ShadingPoint {
     uint flags;      // MATERIAL_ bits
 };
 
+#define FINEST_LEVEL -1000.0f  // a Surface::lod that reads level 0 of any texture
+
 // u_lod in [0, 1) chooses between the two nearest levels of detail: one look-up, linear on average.
 vec4 read_slot(IN(TextureSlot) slot, IN(Surface) s, float u_lod) {
     vec2 uv = slot.tex_coord == 0u ? s.uv0 : s.uv1;

@@ -11,6 +11,7 @@
 #include "shading/colour.glsl"
 #include "shading/medium.glsl"
 #include "shading/ray_offset.glsl"
+#include "shading/sampling/mis.glsl"
 #include "shading/sampling/sampler.glsl"
 
 // What a path gives to its pixel; the guides are those of the first surface.
@@ -51,6 +52,7 @@ struct PathState {
 #define DRAW_ROULETTE 4u
 #define DRAW_DETAIL 5u
 
+#define SHADOW_MARGIN 1.0e-4f     // of a shadow ray's length: it must not meet the light itself
 #define ROULETTE_DEPTH 2u         // surfaces that are never cut off
 #define ROULETTE_SURVIVAL 0.95f   // at most
 
@@ -77,14 +79,14 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
     }
     for (uint i = 0u; i < f.directional_lights; ++i) {
         LET_REF(LightRecord) record = load_light(i);
-        vec3 radiance = directional_light_radiance(record.direction, record.radius, record.emission, direction);
-        if (radiance == vec3(0.0f)) { continue; }
+        DirectionalLight sun = directional_light(record);
+        if (!directional_light_contains(sun, direction)) { continue; }
         float w = 1.0f;
         if (from.pdf > 0.0f) {
             w = mis_power(from.pdf, light_choice_pmf(from.position, from.normal, i) *
-                                    directional_light_pdf(record.direction, record.radius, direction));
+                                    directional_light_pdf(sun, direction));
         }
-        light += radiance * w;
+        light += directional_light_radiance(sun) * w;
     }
     return light;
 }
@@ -94,7 +96,7 @@ float found_light_weight(IN(PathVertex) from, uint index, vec3 direction, float 
     if (from.pdf == 0.0f || index == NO_INDEX) { return 1.0f; }
     LET_REF(LightRecord) record = load_light(index);
     return mis_power(from.pdf, light_choice_pmf(from.position, from.normal, index) *
-                               light_pdf(record, from.position, direction, t));
+                               light_pdf(record, from.position, direction * t));
 }
 
 // The shadow ray of a surface. Returns reflected radiance, without the path's throughput.
@@ -119,7 +121,7 @@ vec3 sample_direct(IN(Surface) s, IN(ShadingPoint) p, vec3 wo_local, vec3 wo, ve
     ray.origin = offset_ray_origin(s.position, side > 0.0f ? s.ng : -s.ng);
     ray.direction = light.wi;
     ray.t_min = 0.0f;
-    ray.t_max = light.distance;
+    ray.t_max = light.distance * (1.0f - SHADOW_MARGIN);
     return radiance * (w / density) * trace_visible(ray);
 }
 
@@ -171,7 +173,7 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, Sampler draws) {
         }
         if (hit.instance == HIT_LIGHT) {
             LET_REF(LightRecord) record = load_light(hit.primitive);
-            vec3 light = light_radiance(record, ray.direction) *
+            vec3 light = light_radiance(record, from.position, ray.direction) *
                          found_light_weight(from, hit.primitive, ray.direction, hit.t);
             r = add_light(r, state.throughput * light, state.depth);
             r.coverage = state.depth == 0u ? 1.0f : r.coverage;

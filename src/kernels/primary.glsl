@@ -4,7 +4,7 @@
 #define GP_KERNELS_PRIMARY_GLSL
 #include "shading/camera.glsl"
 #include "shading/sampling/sampler.glsl"
-#include "shading/sampling/warps.glsl"
+#include "shading/sampling/pixel_filter.glsl"
 #include "shared/scene_structs.glsl"
 
 // A point of the pixel by its filter, a point of the lens. The filter is sampled, so that every path has

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
+#include "scene/light_tree.h"
 #include "shading/shading.h"
 
 namespace gp {
@@ -105,6 +107,8 @@ private:
             b.phi = power(light.emission, r.area, light.twoSided);
         } else {
             r.kind = light.kind == LightKind::spot ? LIGHT_SPOT : LIGHT_SPHERE;
+            // A sphere shines with the radiance that its disk needs for the intensity.
+            if (light.radius > 0) r.emission /= pi * light.radius * light.radius;
             r.direction = glm::normalize(light.direction);
             r.cos_inner = light.cosInner, r.cos_outer = light.cosOuter;
             b.lo = r.position - r.radius, b.hi = r.position + r.radius;

@@ -11,7 +11,6 @@
 #define HIT_LIGHT 0xFFFFFFFEu  // a sphere or rectangle light; Hit::primitive is its index
 
 struct Hit {
-    vec3 ng;         // geometric normal: object space, not normalised (instances); world (lights)
     float t;
     float u;         // barycentrics of the second and third vertex
     float v;
@@ -143,7 +142,7 @@ struct LightRecord {
     uint two_sided;
     vec3 direction;  // spot, directional: of travel; rectangle, triangle: unit normal that emits
     float area;      // rectangle, triangle
-    vec3 emission;   // triangle, rectangle: radiance; sphere, spot: W/sr; directional: W/m^2
+    vec3 emission;   // radiance; of points W/sr; directional: W/m^2
     float cos_inner;
     float cos_outer;
     uint instance;   // triangle

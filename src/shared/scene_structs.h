@@ -9,7 +9,7 @@ namespace gp::shared {
 using namespace glm;
 #include "shared/scene_structs.glsl"
 
-static_assert(sizeof(Hit) == 32 && offsetof(Hit, t) == 12);
+static_assert(sizeof(Hit) == 20);
 static_assert(sizeof(TextureSlot) == 48);
 static_assert(offsetof(MaterialRecord, specular) == 80);
 static_assert(offsetof(MaterialRecord, base_color_slot) == 144);

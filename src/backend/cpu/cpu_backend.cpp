@@ -11,6 +11,7 @@
 #include <xmmintrin.h>
 
 #include "backend/cpu/cpu_backend.h"
+#include "shading/shading.h"
 
 namespace gp::cpu {
 
@@ -58,6 +59,15 @@ struct DenormalsOff {
     ~DenormalsOff() { _mm_setcsr(before); }
 };
 
+uint32_t filterOf(PixelFilter filter) {
+    switch (filter) {
+        case PixelFilter::box: return FILTER_BOX;
+        case PixelFilter::tent: return FILTER_TENT;
+        case PixelFilter::gaussian: return FILTER_GAUSSIAN;
+        default: return FILTER_BLACKMAN_HARRIS;
+    }
+}
+
 shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan) {
     shared::FrameConstants f{};
     f.width = plan.width, f.height = plan.height;
@@ -65,7 +75,7 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.max_bounces = plan.maxBounces;
     f.diffuse_shading = plan.shading == ShadingMode::diffuse;
     f.russian_roulette = plan.russianRoulette;
-    f.pixel_filter = uint32_t(plan.pixelFilter), f.pixel_filter_radius = plan.pixelFilterRadius;
+    f.pixel_filter = filterOf(plan.pixelFilter), f.pixel_filter_radius = plan.pixelFilterRadius;
     f.clamp_indirect = plan.clampIndirect;
     f.directional_lights = view.directionalLights;
     f.tree_nodes = view.lightTreeNodes;

@@ -223,7 +223,7 @@ void CpuScene::fillMaterials(const Scene& scene) {
         r.alpha_cutoff = m.alphaCutoff;
         r.flags = materialFlags(m);
         if (!instance->mesh->colors.empty()) r.flags |= MATERIAL_VERTEX_COLOR;
-        r.model = shading::MODEL_GLTF;
+        r.model = MODEL_GLTF;
         fillSlots(r, m);
         materials_.push_back(r);
     }

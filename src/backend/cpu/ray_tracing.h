@@ -11,7 +11,7 @@ inline void setRay(RTCRay& q, const Ray& ray, uint32_t mask) {
 inline Hit makeHit(const SceneView& view, uint32_t instance, uint32_t geometry, uint32_t primitive,
                    float t, float u, float v) {
     Hit h;
-    h.ng = vec3(0), h.t = t, h.u = u, h.v = v;
+    h.t = t, h.u = u, h.v = v;
     if (geometry == RTC_INVALID_GEOMETRY_ID) {
         h.instance = HIT_NOTHING, h.primitive = 0;
     } else if (instance == RTC_INVALID_GEOMETRY_ID) {
@@ -113,7 +113,7 @@ inline bool meetsSurface(const SceneView& view, uint32_t instance, uint32_t prim
         const vec3 h(uv, 1);
         const vec2 moved(dot(vec3(slot.row_u), h), dot(vec3(slot.row_v), h));
         // Of the finest level: smaller copies would eat thin leaves.
-        alpha *= sampleTexture(view.textures[slot.texture_index], moved, -1000.0f, 0.0f).w;
+        alpha *= sampleTexture(view.textures[slot.texture_index], moved, FINEST_LEVEL, 0.0f).w;
     }
     if (g.colors && (m.flags & MATERIAL_VERTEX_COLOR))
         alpha *= (float(g.colors[t.x].w) * w + float(g.colors[t.y].w) * u + float(g.colors[t.z].w) * v) / 255.0f;

@@ -74,7 +74,7 @@ void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float e
     const float scale = std::exp2(exposureEv);
     const SceneView view{};
     const FrameConstants frame{};
-    const Kernels k(view, frame);
+    Kernels k(view, frame);
     for (size_t i = 0; i < count; ++i) {
         const float inv = sums[i].samples ? 1.0f / float(sums[i].samples) : 0.0f;
         const vec4 c = k.tonemap_pixel(sums[i].color * inv, scale, tonemap);

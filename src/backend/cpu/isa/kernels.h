@@ -35,27 +35,27 @@ struct PackedVertex {
 
 struct Kernels {
     const SceneView& view;
-    const FrameConstants& frame;
+    const FrameConstants& constants;
     QueryContext query{};
     TileCounts counts{};
     RayRecorder* recorder = nullptr;
     uint32_t pathSeed = 0;  // of the path being traced: each of its rays gets an alpha seed from it
 
-    Kernels(const SceneView& v, const FrameConstants& f) : view(v), frame(f) {}
+    Kernels(const SceneView& v, const FrameConstants& f) : view(v), constants(f) {}
 
     // Frame and tables.
-    const FrameConstants& load_frame() const { return frame; }
-    const InstanceRecord& load_instance(uint i) const { return view.instances[i]; }
-    const MaterialRecord& load_material(uint i) const { return view.materials[i]; }
-    const LightRecord& load_light(uint i) const { return view.lights[i]; }
-    const LightTreeNode& load_light_node(uint i) const { return view.lightTree[i]; }
-    uint load_light_of_triangle(uint instance, uint primitive) const {
+    const FrameConstants& load_frame() { return constants; }
+    const InstanceRecord& load_instance(uint i) { return view.instances[i]; }
+    const MaterialRecord& load_material(uint i) { return view.materials[i]; }
+    const LightRecord& load_light(uint i) { return view.lights[i]; }
+    const LightTreeNode& load_light_node(uint i) { return view.lightTree[i]; }
+    uint load_light_of_triangle(uint instance, uint primitive) {
         const uint map = view.instances[instance].light_map;
         return map == NO_INDEX ? NO_INDEX : view.lightOfTriangle[map + primitive];
     }
 
     // Geometry.
-    TriangleCorners load_triangle(uint geometry, uint primitive) const {
+    TriangleCorners load_triangle(uint geometry, uint primitive) {
         const GeometryView& g = view.geometries[geometry];
         const uvec3 t = g.triangles[primitive];
         const auto* vertices = static_cast<const PackedVertex*>(g.vertices);
@@ -68,25 +68,25 @@ struct Kernels {
         r.pad0 = 0;
         return r;
     }
-    vec2 load_uv1(uint geometry, uint primitive, float u, float v) const {
+    vec2 load_uv1(uint geometry, uint primitive, float u, float v) {
         const GeometryView& g = view.geometries[geometry];
         if (!g.uv1) return vec2(0);
         const uvec3 t = g.triangles[primitive];
         return interpolate(g.uv1[t.x], g.uv1[t.y], g.uv1[t.z], u, v);
     }
-    vec4 load_vertex_color(uint geometry, uint primitive, float u, float v) const {
+    vec4 load_vertex_color(uint geometry, uint primitive, float u, float v) {
         const GeometryView& g = view.geometries[geometry];
         if (!g.colors) return vec4(1);
         const uvec3 t = g.triangles[primitive];
         return (vec4(g.colors[t.x]) * (1.0f - u - v) + vec4(g.colors[t.y]) * u + vec4(g.colors[t.z]) * v) *
                (1.0f / 255.0f);
     }
-    vec4 sample_texture(uint texture, vec2 uv, float lod, float uLod) const {
+    vec4 sample_texture(uint texture, vec2 uv, float lod, float uLod) {
         return sampleTexture(view.textures[texture], uv, lod, uLod);
     }
 
     // Environment.
-    vec3 load_environment(vec2 uv) const {
+    vec3 load_environment(vec2 uv) {
         const EnvironmentView& e = view.environment;
         const int w = int(e.width), h = int(e.height);
         const float fx = uv.x * float(w) - 0.5f, fy = uv.y * float(h) - 0.5f;
@@ -98,12 +98,12 @@ struct Kernels {
         };
         return mix(mix(texel(ix, iy), texel(ix + 1, iy), ax), mix(texel(ix, iy + 1), texel(ix + 1, iy + 1), ax), ay);
     }
-    float load_environment_row_cdf(uint i) const { return view.environment.rowCdf[i]; }
-    uint load_environment_row_guide(uint i) const { return view.environment.rowGuide[i]; }
-    float load_environment_column_cdf(uint row, uint i) const {
+    float load_environment_row_cdf(uint i) { return view.environment.rowCdf[i]; }
+    uint load_environment_row_guide(uint i) { return view.environment.rowGuide[i]; }
+    float load_environment_column_cdf(uint row, uint i) {
         return view.environment.columnCdf[size_t(row) * (view.environment.width + 1) + i];
     }
-    uint load_environment_column_guide(uint row, uint i) const {
+    uint load_environment_column_guide(uint row, uint i) {
         return view.environment.columnGuide[size_t(row) * view.environment.width + i];
     }
 
@@ -123,6 +123,8 @@ struct Kernels {
 #include "kernels/primary.glsl"
 #include "kernels/tonemap.glsl"
 };
+
+using PathSample = Kernels::PathSample;
 
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"

@@ -1,0 +1,89 @@
+// The resource functions of src/kernels over plain buffers, enough for the GLSL compiler to check every
+// kernel. Rays go through all triangles: there is no acceleration structure in a compute shader here.
+#include "shared/scene_structs.glsl"
+#include "shading/camera.glsl"
+
+layout(std430, binding = 0) readonly buffer FrameBuffer { FrameConstants frame_constants; };
+layout(std430, binding = 1) readonly buffer InstanceBuffer { InstanceRecord instances[]; };
+layout(std430, binding = 2) readonly buffer MaterialBuffer { MaterialRecord materials[]; };
+layout(std430, binding = 3) readonly buffer LightBuffer { LightRecord lights[]; };
+layout(std430, binding = 4) readonly buffer LightTreeBuffer { LightTreeNode light_tree[]; };
+layout(std430, binding = 5) readonly buffer LightMapBuffer { uint light_of_triangle[]; };
+layout(std430, binding = 6) readonly buffer TriangleBuffer { TriangleCorners triangles[]; };
+layout(std430, binding = 7) readonly buffer EnvironmentBuffer { float environment_cdf[]; };
+layout(std430, binding = 8) readonly buffer GuideBuffer { uint environment_guide[]; };
+layout(std430, binding = 9) readonly buffer CornerBuffer { vec4 corner_extras[]; };
+layout(binding = 10) uniform sampler2D environment_image;
+layout(binding = 11) uniform sampler2DArray textures;
+
+FrameConstants load_frame() { return frame_constants; }
+InstanceRecord load_instance(uint i) { return instances[i]; }
+MaterialRecord load_material(uint i) { return materials[i]; }
+LightRecord load_light(uint i) { return lights[i]; }
+LightTreeNode load_light_node(uint i) { return light_tree[i]; }
+TriangleCorners load_triangle(uint geometry, uint primitive) { return triangles[geometry + primitive]; }
+
+uint load_light_of_triangle(uint instance, uint primitive) {
+    uint map = instances[instance].light_map;
+    return map == NO_INDEX ? NO_INDEX : light_of_triangle[map + primitive];
+}
+
+// uv1 and colours lie beside the corners: four vectors a triangle.
+vec2 load_uv1(uint geometry, uint primitive, float u, float v) {
+    uint i = 4u * (geometry + primitive);
+    vec4 mixed = corner_extras[i] * (1.0f - u - v) + corner_extras[i + 1u] * u + corner_extras[i + 2u] * v;
+    return vec2(mixed.x, mixed.y);
+}
+vec4 load_vertex_color(uint geometry, uint primitive, float u, float v) {
+    return corner_extras[4u * (geometry + primitive) + 3u];
+}
+
+vec4 sample_texture(uint index, vec2 uv, float lod, float u_lod) {
+    return textureLod(textures, vec3(uv, float(index)), floor(lod + u_lod));
+}
+
+vec3 load_environment(vec2 uv) { return vec3(textureLod(environment_image, uv, 0.0f)); }
+float load_environment_row_cdf(uint i) { return environment_cdf[i]; }
+float load_environment_column_cdf(uint row, uint i) {
+    return environment_cdf[frame_constants.environment_height + 1u +
+                           row * (frame_constants.environment_width + 1u) + i];
+}
+uint load_environment_row_guide(uint i) { return environment_guide[i]; }
+uint load_environment_column_guide(uint row, uint i) {
+    return environment_guide[frame_constants.environment_height + row * frame_constants.environment_width + i];
+}
+
+// [Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection"]
+Hit meet_triangle(Ray ray, uint i, Hit nearest) {
+    TriangleCorners c = triangles[i];
+    vec3 e1 = c.p1 - c.p0;
+    vec3 e2 = c.p2 - c.p0;
+    vec3 p = cross(ray.direction, e2);
+    float inv = 1.0f / dot(e1, p);
+    vec3 s = ray.origin - c.p0;
+    vec3 q = cross(s, e1);
+    float u = dot(s, p) * inv;
+    float v = dot(ray.direction, q) * inv;
+    float t = dot(e2, q) * inv;
+    if (u >= 0.0f && v >= 0.0f && u + v <= 1.0f && t > ray.t_min && t < nearest.t) {
+        nearest.t = t;
+        nearest.u = u;
+        nearest.v = v;
+        nearest.instance = 0u;
+        nearest.primitive = i;
+    }
+    return nearest;
+}
+
+Hit trace_closest(Ray ray) {
+    Hit nearest;
+    nearest.t = ray.t_max;
+    nearest.u = 0.0f;
+    nearest.v = 0.0f;
+    nearest.instance = HIT_NOTHING;
+    nearest.primitive = 0u;
+    for (uint i = 0u; i < uint(triangles.length()); ++i) { nearest = meet_triangle(ray, i, nearest); }
+    return nearest;
+}
+
+float trace_visible(Ray ray) { return trace_closest(ray).instance == HIT_NOTHING ? 1.0f : 0.0f; }
