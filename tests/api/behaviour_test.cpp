@@ -124,7 +124,7 @@ TEST(Behaviour, SceneInfoCountsSharedThingsOnce) {
     World w;
     GpSceneInfo info{};
     EXPECT_EQ(gpGetSceneInfo(w.scene, &info), GP_SUCCESS);
-    EXPECT_EQ(info.meshes, 3u + 0u);
+    EXPECT_EQ(info.meshes, 3u);
     EXPECT_EQ(info.instances, 4u);
     EXPECT_EQ(info.triangles, 3u);
     EXPECT_EQ(info.instancedTriangles, 4u);
@@ -215,9 +215,11 @@ TEST(Behaviour, ImagesKeepTheirValues) {
         ASSERT_EQ(gpSaveImage(w.device, path.c_str(), &image), GP_SUCCESS);
         GpImage back{};
         ASSERT_EQ(gpLoadImage(w.device, path.c_str(), &back), GP_SUCCESS);
-        for (int i = 0; i < 8; ++i)
-            if (i % 4 != 3 || path.ends_with("exr"))
-                EXPECT_NEAR(back.pixels[i], pixels[i], kind.tolerance) << kind.name << " " << i;
+        for (int i = 0; i < 8; ++i) {
+            const bool noAlpha = i % 4 == 3 && path.ends_with("hdr");
+            EXPECT_NEAR(back.pixels[i], noAlpha ? 1 : pixels[i], kind.tolerance)
+                << kind.name << " " << i;
+        }
         gpFreeImage(&back);
     }
 }

@@ -16,7 +16,7 @@ TEST(Errors, EveryCodeHasItsName) {
     EXPECT_STREQ(gpErrorName(GP_ERROR_NOT_FINITE), "GP_ERROR_NOT_FINITE");
     EXPECT_STREQ(gpErrorName(GP_ERROR_CANCELLED), "GP_ERROR_CANCELLED");
     for (int code = 2; code <= GP_ERROR_CANCELLED; ++code)
-        EXPECT_STRNE(gpErrorName(GpError(code)), "GP_ERROR_UNKNOWN") << code;
+        EXPECT_STRNE(gpErrorName(anyEnum<GpError>(code)), "GP_ERROR_UNKNOWN") << code;
 }
 
 TEST(Errors, TheFirstOneIsKeptUntilItIsAskedFor) {

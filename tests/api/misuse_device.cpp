@@ -27,7 +27,7 @@ void addSilentRows(Rows& rows) {
     add("gpGetError", "nothing to tell", GP_SUCCESS,
         [](World& w) { return gpGetError(w.device, nullptr); });
     add("gpErrorName", "a number that is no code", GP_SUCCESS, [](World&) {
-        return std::string(gpErrorName(GpError(9999))) == "GP_ERROR_UNKNOWN" ? GP_SUCCESS
+        return std::string(gpErrorName(anyEnum<GpError>(9999))) == "GP_ERROR_UNKNOWN" ? GP_SUCCESS
                                                                             : GP_ERROR_UNKNOWN;
     });
     add("gpCancelRender", "NULL, released and wrong handles", GP_SUCCESS, [](World& w) {
@@ -49,9 +49,13 @@ void addSilentRows(Rows& rows) {
 Rows deviceRows() {
     Rows rows = {
         {"gpNewDevice", "unknown backend", GP_ERROR_INVALID_ARGUMENT, "backend is 4",
-         [](World&) { return newDevice([](GpDeviceDesc& d) { d.backend = GpBackend(4); }); }},
+         [](World&) {
+             return newDevice([](GpDeviceDesc& d) { d.backend = anyEnum<GpBackend>(4); });
+         }},
         {"gpNewDevice", "negative backend", GP_ERROR_INVALID_ARGUMENT, "backend",
-         [](World&) { return newDevice([](GpDeviceDesc& d) { d.backend = GpBackend(-1); }); }},
+         [](World&) {
+             return newDevice([](GpDeviceDesc& d) { d.backend = anyEnum<GpBackend>(-1); });
+         }},
         {"gpNewDevice", "Vulkan", GP_ERROR_UNSUPPORTED, "Vulkan",
          [](World&) {
              return newDevice([](GpDeviceDesc& d) { d.backend = GP_BACKEND_VULKAN; });

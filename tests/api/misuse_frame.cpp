@@ -75,7 +75,7 @@ Rows frameRows() {
         frameRow("too wide", GP_ERROR_TOO_LARGE, "width is 16385", 16385, 1),
         frameRow("too high", GP_ERROR_TOO_LARGE, "height", 1, UINT32_MAX),
         frameRow("real time", GP_ERROR_UNSUPPORTED, "real-time", 1, 1, GP_MODE_REALTIME),
-        frameRow("unknown mode", GP_ERROR_INVALID_ARGUMENT, "mode", 1, 1, GpFrameMode(2)),
+        frameRow("unknown mode", GP_ERROR_INVALID_ARGUMENT, "mode", 1, 1, anyEnum<GpFrameMode>(2)),
         {"gpGetImageInfo", "unknown image", GP_ERROR_INVALID_ARGUMENT, "image is 11",
          [](World&) {
              GpImageInfo info;
@@ -90,7 +90,7 @@ Rows frameRows() {
         {"gpTonemapFrame", "exposure out of range", GP_ERROR_OUT_OF_RANGE, "exposureEv is 101",
          [](World& w) { return gpTonemapFrame(w.frame, 101, GP_TONEMAP_AGX); }},
         {"gpTonemapFrame", "unknown curve", GP_ERROR_INVALID_ARGUMENT, "tonemap",
-         [](World& w) { return gpTonemapFrame(w.frame, 0, GpTonemap(4)); }},
+         [](World& w) { return gpTonemapFrame(w.frame, 0, anyEnum<GpTonemap>(4)); }},
         {"gpReadFrameImage", "before rendering", GP_ERROR_INVALID_OPERATION, "nothing was rendered",
          [](World& w) {
              float pixels[48];
@@ -107,7 +107,7 @@ Rows frameRows() {
         {"gpReadFrameImage", "unknown image", GP_ERROR_INVALID_ARGUMENT, "image is 12",
          [](World& w) {
              float pixels[48];
-             return gpReadFrameImage(w.frame, GpFrameImage(12), pixels, sizeof pixels);
+             return gpReadFrameImage(w.frame, anyEnum<GpFrameImage>(12), pixels, sizeof pixels);
          }},
         {"gpSaveFrame", "no path", GP_ERROR_INVALID_ARGUMENT, "path is NULL",
          [](World& w) { return gpSaveFrame(w.frame, nullptr, nullptr); }},

@@ -55,9 +55,9 @@ Row skyRow(const char* what, GpError expected, const char* message, float azimut
 
 void addLightFieldRows(Rows& rows) {
     add(rows, "unknown kind", GP_ERROR_INVALID_ARGUMENT, "kind is 4", GP_LIGHT_SPHERE,
-        [](GpLightDesc& d) { d.kind = GpLightKind(4); });
+        [](GpLightDesc& d) { d.kind = anyEnum<GpLightKind>(4); });
     add(rows, "unknown unit", GP_ERROR_INVALID_ARGUMENT, "unit is 4", GP_LIGHT_SPHERE,
-        [](GpLightDesc& d) { d.unit = GpLightUnit(4); });
+        [](GpLightDesc& d) { d.unit = anyEnum<GpLightUnit>(4); });
     add(rows, "the power of the sun", GP_ERROR_INVALID_ARGUMENT, "unit is a power",
         GP_LIGHT_DIRECTIONAL, [](GpLightDesc& d) { d.unit = GP_UNIT_POWER_W; });
     add(rows, "color below 0", GP_ERROR_OUT_OF_RANGE, "color[0] is -1", GP_LIGHT_SPHERE,

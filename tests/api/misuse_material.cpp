@@ -102,7 +102,7 @@ Rows materialRows() {
         row("coatNormalScale is infinite", GP_ERROR_NOT_FINITE, "coatNormalScale",
             [](World&, GpMaterialDesc& d) { d.coatNormalScale = -inf; }),
         row("unknown alphaMode", GP_ERROR_INVALID_ARGUMENT, "alphaMode is 3",
-            [](World&, GpMaterialDesc& d) { d.alphaMode = GpAlphaMode(3); }),
+            [](World&, GpMaterialDesc& d) { d.alphaMode = anyEnum<GpAlphaMode>(3); }),
         row("ior below 1", GP_ERROR_OUT_OF_RANGE, "ior is 0.9, outside of 1..10",
             [](World&, GpMaterialDesc& d) { d.ior = 0.9f; }),
         row("ior above 10", GP_ERROR_OUT_OF_RANGE, "ior",

@@ -147,7 +147,7 @@ Rows meshRows() {
     addCountRows(rows);
     addValueRows(rows);
     addNew(rows, "unknown kind", GP_ERROR_INVALID_ARGUMENT, "kind is 3",
-           [](World&, GpMeshDesc& d) { d.kind = GpMeshKind(3); });
+           [](World&, GpMeshDesc& d) { d.kind = anyEnum<GpMeshKind>(3); });
     addNew(rows, "material was released", GP_ERROR_INVALID_HANDLE, "material was released",
            [](World& w, GpMeshDesc& d) { d.material = w.released.material; });
     addNew(rows, "material of another device", GP_ERROR_INVALID_HANDLE,

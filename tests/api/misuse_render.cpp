@@ -51,9 +51,9 @@ void addOptionRows(Rows& rows) {
         optionRow("bounces below none", GP_ERROR_OUT_OF_RANGE, "options.maxBounces is -2",
                   [](GpRenderOptions& o) { o.maxBounces = -2; }),
         optionRow("unknown shading", GP_ERROR_INVALID_ARGUMENT, "options.shading",
-                  [](GpRenderOptions& o) { o.shading = GpShading(2); }),
+                  [](GpRenderOptions& o) { o.shading = anyEnum<GpShading>(2); }),
         optionRow("unknown filter", GP_ERROR_INVALID_ARGUMENT, "options.pixelFilter",
-                  [](GpRenderOptions& o) { o.pixelFilter = GpPixelFilter(4); }),
+                  [](GpRenderOptions& o) { o.pixelFilter = anyEnum<GpPixelFilter>(4); }),
         optionRow("filter too wide", GP_ERROR_OUT_OF_RANGE, "options.pixelFilterRadius is 17",
                   [](GpRenderOptions& o) { o.pixelFilterRadius = 17; }),
         optionRow("filter below 0", GP_ERROR_OUT_OF_RANGE, "options.pixelFilterRadius",
@@ -65,7 +65,7 @@ void addOptionRows(Rows& rows) {
         optionRow("exposure out of range", GP_ERROR_OUT_OF_RANGE, "exposureEv",
                   [](GpRenderOptions& o) { o.exposureEv = -200; }),
         optionRow("unknown tone map", GP_ERROR_INVALID_ARGUMENT, "options.tonemap",
-                  [](GpRenderOptions& o) { o.tonemap = GpTonemap(99); }),
+                  [](GpRenderOptions& o) { o.tonemap = anyEnum<GpTonemap>(99); }),
     };
     rows.insert(rows.end(), more.begin(), more.end());
 }
@@ -73,7 +73,7 @@ void addOptionRows(Rows& rows) {
 void addCameraRows(Rows& rows) {
     const Rows more = {
         cameraRow("unknown camera", GP_ERROR_INVALID_ARGUMENT, "camera.kind",
-                  [](GpCameraDesc& c) { c.kind = GpCameraKind(2); }),
+                  [](GpCameraDesc& c) { c.kind = anyEnum<GpCameraKind>(2); }),
         cameraRow("position is NaN", GP_ERROR_NOT_FINITE, "camera.position[0]",
                   [](GpCameraDesc& c) { c.position[0] = nanf; }),
         cameraRow("target is NaN", GP_ERROR_NOT_FINITE, "camera.target[2]",

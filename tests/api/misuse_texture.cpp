@@ -52,17 +52,17 @@ Rows textureRows() {
         row("rows that overflow", GP_ERROR_TOO_LARGE, "more than memory",
             [](GpTextureDesc& d) { d.rowBytes = SIZE_MAX / 2; }),
         row("unknown format", GP_ERROR_INVALID_ARGUMENT, "format",
-            [](GpTextureDesc& d) { d.format = GpPixelFormat(2); }),
+            [](GpTextureDesc& d) { d.format = anyEnum<GpPixelFormat>(2); }),
         row("unknown colour space", GP_ERROR_INVALID_ARGUMENT, "colorSpace",
-            [](GpTextureDesc& d) { d.colorSpace = GpColorSpace(2); }),
+            [](GpTextureDesc& d) { d.colorSpace = anyEnum<GpColorSpace>(2); }),
         row("unknown wrapU", GP_ERROR_INVALID_ARGUMENT, "wrapU",
-            [](GpTextureDesc& d) { d.wrapU = GpWrap(3); }),
+            [](GpTextureDesc& d) { d.wrapU = anyEnum<GpWrap>(3); }),
         row("unknown wrapV", GP_ERROR_INVALID_ARGUMENT, "wrapV",
-            [](GpTextureDesc& d) { d.wrapV = GpWrap(77); }),
+            [](GpTextureDesc& d) { d.wrapV = anyEnum<GpWrap>(77); }),
         row("unknown magFilter", GP_ERROR_INVALID_ARGUMENT, "magFilter",
-            [](GpTextureDesc& d) { d.magFilter = GpFilter(2); }),
+            [](GpTextureDesc& d) { d.magFilter = anyEnum<GpFilter>(2); }),
         row("unknown minFilter", GP_ERROR_INVALID_ARGUMENT, "minFilter",
-            [](GpTextureDesc& d) { d.minFilter = GpFilter(2); }),
+            [](GpTextureDesc& d) { d.minFilter = anyEnum<GpFilter>(2); }),
         row("a pixel that is NaN", GP_ERROR_NOT_FINITE, "pixels[6] is nan",
             [](GpTextureDesc& d) {
                 static const float pixels[16] = {0, 0, 0, 1, 0, 0, nan, 1};
@@ -82,7 +82,7 @@ Rows textureRows() {
         {"gpNewTextureFromFile", "unknown wrap", GP_ERROR_INVALID_ARGUMENT, "wrapU",
          [](World& w) {
              GpTextureDesc desc{};
-             desc.wrapU = GpWrap(9);
+             desc.wrapU = anyEnum<GpWrap>(9);
              return made(gpNewTextureFromFile(w.device, "nowhere.png", &desc));
          }},
     };

@@ -2,6 +2,7 @@
 // kind, the same released, and the same left over from a released device.
 #pragma once
 
+#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -55,6 +56,15 @@ struct World : Handles {
     // Everything about the world that calls could change, as text.
     std::string snapshot() const;
 };
+
+// A number in an enum of C, where C++ would not put it.
+template <class E>
+E anyEnum(int number) {
+    E value;
+    static_assert(sizeof value == sizeof number);
+    std::memcpy(&value, &number, sizeof number);
+    return value;
+}
 
 // What a call gave back: its code; nothing where it was a null handle or pointer.
 using Outcome = std::optional<GpError>;
