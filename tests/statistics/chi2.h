@@ -83,12 +83,12 @@ class SphereGrid {
 public:
     // `pole` is unit length; `distances` are 1 - cos of the pilot samples' angles to it.
     SphereGrid(glm::dvec3 pole, std::vector<double> distances, const SphereDomain& domain)
-        : pole_(pole), domain_(domain) {
+        : pole_(pole), hemisphere_(domain.hemisphere) {
         const bool alongX = std::abs(pole.x) > 0.6;
         const glm::dvec3 helper(alongX ? 0 : 1, alongX ? 1 : 0, 0);
         tangent_ = glm::normalize(glm::cross(helper, pole));
         bitangent_ = glm::cross(pole, tangent_);
-        domain_.edges.push_back(glm::dvec3(0, 0, 1));
+        edges_.insert(edges_.end(), domain.edges.begin(), domain.edges.end());
         std::sort(distances.begin(), distances.end());
         rings_.push_back(0.0);
         for (int i = 1; i < chi2Rings; ++i) {
@@ -133,14 +133,14 @@ public:
     }
 
     bool contains(glm::dvec3 w) const {
-        return domain_.hemisphere == 0 || (domain_.hemisphere > 0) == (w.z > 0.0);
+        return hemisphere_ == 0 || (hemisphere_ > 0) == (w.z > 0.0);
     }
 
 private:
     // Where the circle at s crosses the planes: n.w = a + r cos(phi - phi1) = 0.
     std::vector<double> sectorBreaks(double s) const {
         std::vector<double> breaks;
-        for (const glm::dvec3& n : domain_.edges) {
+        for (const glm::dvec3& n : edges_) {
             const double x = glm::dot(n, tangent_), y = glm::dot(n, bitangent_);
             const double a = glm::dot(n, pole_) * (1.0 - s);
             const double r = std::hypot(x, y) * std::sqrt(s * (2.0 - s));
@@ -159,7 +159,7 @@ private:
     std::vector<double> ringBreaks(double s0, double s1) const {
         std::vector<double> breaks;
         for (double s = 4.0 * s0; s0 > 0.0 && s < s1; s *= 4.0) breaks.push_back(s);
-        for (const glm::dvec3& n : domain_.edges) {
+        for (const glm::dvec3& n : edges_) {
             const double angle = std::asin(std::min(1.0, std::abs(glm::dot(n, pole_))));
             breaks.push_back(1.0 - std::cos(angle));
             breaks.push_back(1.0 + std::cos(angle));
@@ -168,7 +168,8 @@ private:
     }
 
     glm::dvec3 pole_, tangent_, bitangent_;
-    SphereDomain domain_;
+    int hemisphere_;
+    std::vector<glm::dvec3> edges_{glm::dvec3(0, 0, 1)};
     std::vector<double> rings_;
 };
 

@@ -81,6 +81,20 @@ GltfView gltf_view_from_inside(IN(BsdfParams) m, vec3 wo) {
     return view;
 }
 
+// The diffuse part of what interface and diffuse base return, by their albedos; a share at least
+// is left to the interface, whose albedo is an estimate and whose peak may be high.
+float gltf_diffuse_share(IN(BsdfParams) m, IN(GltfView) view, GgxAlbedo e) {
+    float color = max_component(m.base_color);
+    float base = color * view.base_through;
+    float dielectric = 1.0f - view.base_through + base * m.transmission;
+    float interface_weight = dielectric;
+    if (m.metallic > 0.0f) {
+        interface_weight = mix(dielectric, ggx_albedo_fresnel(e, color, 1.0f), m.metallic);
+    }
+    float diffuse = base * (1.0f - m.metallic) * (1.0f - m.transmission);
+    return min(diffuse / max(diffuse + interface_weight, 1.0e-6f), 0.98f);
+}
+
 // Lobes are chosen in proportion to their estimated albedos.
 GltfView gltf_view(IN(BsdfParams) m, vec3 wo) {
     if (wo.z < 0.0f && m.thin == 0u) {
@@ -90,24 +104,18 @@ GltfView gltf_view(IN(BsdfParams) m, vec3 wo) {
     view.flip = wo.z < 0.0f;
     view.o = view.flip ? mirrored_z(wo) : wo;
     view.eta = m.transmission > 0.0f ? relative_ior(m.ior, 1.0f) : 1.0f;
-    GgxAlbedo e = ggx_albedo(view.o.z, mean_alpha(m));
-    float dielectric = m.metallic < 1.0f ? gltf_dielectric_albedo(m, view.o.z, e) : 1.0f;
-    view.base_through = 1.0f - dielectric;
-    float interface_weight = dielectric;
-    if (m.metallic > 0.0f) {
-        float f0 = max_component(m.base_color);
-        interface_weight = mix(dielectric, ggx_albedo_fresnel(e, f0, 1.0f), m.metallic);
-    }
-    float base = max_component(m.base_color) * view.base_through;
-    interface_weight += base * gltf_transmissive_share(m);
-    float diffuse = base * (1.0f - m.metallic) * (1.0f - m.transmission);
     view.coat_through = gltf_coat_through(m, view.o);
     view.sheen_through = gltf_sheen_through(m, view.o);
     view.p_coat = 1.0f - view.coat_through;
     view.p_sheen = view.coat_through * (1.0f - view.sheen_through);
-    // A share at least for the interface: its albedo is an estimate, its peak may be high.
-    float rest = 1.0f - view.p_coat - view.p_sheen;
-    view.p_diffuse = rest * min(diffuse / max(diffuse + interface_weight, 1.0e-6f), 0.98f);
+    view.base_through = 0.0f;
+    view.p_diffuse = 0.0f;
+    if (gltf_has_diffuse(m)) {
+        GgxAlbedo e = ggx_albedo(view.o.z, mean_alpha(m));
+        view.base_through = 1.0f - gltf_dielectric_albedo(m, view.o.z, e);
+        float share = gltf_diffuse_share(m, view, e);
+        view.p_diffuse = (1.0f - view.p_coat - view.p_sheen) * share;
+    }
     return view;
 }
 

@@ -50,8 +50,10 @@ float beckmann_d(vec3 wm, float alpha_x, float alpha_y) {
     }
     float x = wm.x / (alpha_x * wm.z);
     float y = wm.y / (alpha_y * wm.z);
+    float e = x * x + y * y;
     float z2 = wm.z * wm.z;
-    return exp(-x * x - y * y) * INV_PI / (alpha_x * alpha_y * z2 * z2);
+    // Far out the numerator is 0, but so may be the denominator.
+    return e < 80.0f ? exp(-e) * INV_PI / (alpha_x * alpha_y * z2 * z2) : 0.0f;
 }
 
 // 1 / (alpha tan) of the direction, alpha taken along it; large for the normal itself.
@@ -128,7 +130,8 @@ float beckmann_visible_slope(float cot_theta, float u) {
         float slope = 2.0f * gauss * (1.0f - s * tan_theta);
         float next = slope > 0.0f ? s - excess / slope : low;
         next = next > low && next < high ? next : 0.5f * (low + high);
-        if (abs(next - s) < 1.0e-6f) {
+        // Newton's steps square the error: after one of 1e-4 only rounding is left.
+        if (abs(next - s) < 1.0e-4f) {
             return next;
         }
         s = next;
