@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 #include <vector>
 
 namespace gp::tool {
@@ -37,11 +38,30 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
     return best;
 }
 
+// The column of descriptions begins at 30, and people's terminals are 100 wide or so.
+constexpr std::size_t kHelpColumns = 68;
+
+// CLI11 indents the lines of a description but does not break them.
+std::string wrapped(const std::string& text) {
+    std::string result;
+    std::size_t column = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool fits = column + 1 + word.size() <= kHelpColumns;
+        if (column > 0) {
+            result += fits ? ' ' : '\n';
+        }
+        column = (column > 0 && fits ? column + 1 : 0) + word.size();
+        result += word;
+    }
+    return result;
+}
+
 }  // namespace
 
 CLI::Option* addWord(CLI::App& app, const std::string& names, const std::string& typeName,
                      const std::string& help, std::function<void(const std::string&)> accept) {
-    return app.add_option_function<std::string>(names, accept, help)->type_name(typeName);
+    return app.add_option_function<std::string>(names, accept, wrapped(help))->type_name(typeName);
 }
 
 std::string nearestOption(const CLI::App& app, const std::string& word) {

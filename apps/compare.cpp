@@ -217,8 +217,8 @@ Command addCompareCommand(CLI::App& tool) {
     addWord(*app, "--heatmap", "OUT.png", "Write FLIP's map: black where alike, yellow where not",
             [settings](const std::string& word) { settings->heatmapPath = word; });
     app->add_option("--threshold", settings->thresholdWords,
-                    "Exit with 1 if rmse, relmse or flip is more, or psnr or ssim less, than this; "
-                    "may be repeated")
+                    "Exit with 1 if rmse, relmse or flip is more, or psnr or ssim less,\n"
+                    "than this; may be repeated")
         ->type_name("METRIC=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "library.h"
 #include "output.h"
+#include "scene_description.h"
 #include "scene_setup.h"
 #include "tool_error.h"
 
@@ -30,14 +31,6 @@ struct InfoSettings {
     bool json = false;
     GpLoadOptions load{};
 };
-
-Json describe(GpDevice device, GpScene scene) {
-    std::size_t size = 0;
-    check(device, gpDescribeScene(scene, nullptr, 0, &size));
-    std::string text(size, '\0');
-    check(device, gpDescribeScene(scene, text.data(), text.size(), nullptr));
-    return Json::parse(text.c_str());
-}
 
 Json totalsJson(const GpSceneInfo& i) {
     Json json;
@@ -182,7 +175,7 @@ int runInfo(InfoSettings& settings) {
     check(device.get(), gpLoadSceneFile(scene.get(), settings.scenePath.c_str(), &settings.load));
     GpSceneInfo info{};
     check(device.get(), gpGetSceneInfo(scene.get(), &info));
-    const Json description = describe(device.get(), scene.get());
+    const Json description = describeScene(device.get(), scene.get());
     if (settings.json) {
         writeJson(jsonPath, allJson(settings.scenePath, info, description));
     } else {

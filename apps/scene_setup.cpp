@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "commands.h"
+#include "scene_description.h"
 #include "tool_error.h"
 
 namespace gp::tool {
@@ -60,12 +61,6 @@ void addEnvironment(GpDevice device, GpScene scene, const RenderSettings& s) {
     check(device, gpSetEnvironment(scene, &desc));
 }
 
-bool isDark(GpDevice device, GpScene scene) {
-    GpSceneInfo info{};
-    check(device, gpGetSceneInfo(scene, &info));
-    return info.lights == 0 && info.emissiveTriangles == 0 && info.hasEnvironment == 0;
-}
-
 void addLight(GpDevice device, const RenderSettings& s, SceneSetup& setup) {
     GpScene scene = setup.scene.get();
     if (!s.environmentPath.empty() || s.environmentColor) {
@@ -80,7 +75,7 @@ void addLight(GpDevice device, const RenderSettings& s, SceneSetup& setup) {
         check(device, gpSetSky(scene, radians(kDefaultSunAzimuthDeg),
                                radians(kDefaultSunElevationDeg), 0.0f));
         setup.notes.push_back(fmt::format(
-            "the scene has no light: a clear sky was added (as by --sun {},{},0)",
+            "the scene has no light: a clear sky is added (as by --sun {},{},0)",
             kDefaultSunAzimuthDeg, kDefaultSunElevationDeg));
     }
 }
