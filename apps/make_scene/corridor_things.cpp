@@ -50,8 +50,8 @@ Torch torch(std::uint32_t seed)
         const float up = p.y / 0.245f;
         const glm::vec3 q(p.x * 16.0f, p.y * 11.0f, p.z * 16.0f + offset);
         const float lick = 1.0f + 0.9f * up * noise(q, seed);
-        const glm::vec2 sway = 0.030f * up * up *
-                               glm::vec2(std::sin(8.0f * up + offset), std::cos(6.0f * up + offset));
+        const glm::vec2 bend(std::sin(8.0f * up + offset), std::cos(6.0f * up + offset));
+        const glm::vec2 sway = 0.030f * up * up * bend;
         p = glm::vec3(p.x * lick + sway.x, p.y, p.z * lick + sway.y);
     }
     t.flame.computeSmoothNormals();
@@ -83,13 +83,18 @@ Barrel barrel()
     b.staves.computeSmoothNormals();
     for (glm::vec2& uv : b.staves.uvs)
         uv = glm::vec2(uv.y * 1.4f, uv.x * 4.0f);  // the grain runs up the staves
-    const float heights[] = {0.07f, 0.20f, 0.64f, 0.77f}, radii[] = {0.244f, 0.268f, 0.268f, 0.244f};
+    const float heights[] = {0.07f, 0.20f, 0.64f, 0.77f};
+    const float radii[] = {0.244f, 0.268f, 0.268f, 0.244f};
     for (std::size_t i = 0; i < 4; ++i) {
         const float r = radii[i], y = heights[i];
         const float slope = y < 0.42f ? 0.006f : -0.006f;
-        b.hoops.append(lathe({{r - 0.006f - slope, y - 0.02f, true}, {r + 0.005f - slope, y - 0.02f, true},
-                              {r + 0.005f + slope, y + 0.02f, true}, {r - 0.006f + slope, y + 0.02f, true},
-                              {r - 0.006f - slope, y - 0.02f, true}}, 60));
+        const float inner = r - 0.006f, outer = r + 0.005f, low = y - 0.02f, high = y + 0.02f;
+        b.hoops.append(lathe({{inner - slope, low, true},
+                              {outer - slope, low, true},
+                              {outer + slope, high, true},
+                              {inner + slope, high, true},
+                              {inner - slope, low, true}},
+                             60));
     }
     return b;
 }
@@ -127,7 +132,8 @@ Image flameGradient()
     return bakeColor({8, 64}, [](glm::vec2 uv) {
         // Brightest below the middle; cooler, so redder and dimmer, towards the tip.
         const float up = uv.y;
-        const glm::vec3 root(0.55f, 0.30f, 0.16f), heart(1.0f, 0.62f, 0.24f), tip(0.45f, 0.10f, 0.015f);
+        const glm::vec3 root(0.55f, 0.30f, 0.16f), heart(1.0f, 0.62f, 0.24f);
+        const glm::vec3 tip(0.45f, 0.10f, 0.015f);
         return up < 0.35f ? glm::mix(root, heart, up / 0.35f)
                           : glm::mix(heart, tip, glm::smoothstep(0.35f, 1.0f, up));
     });
@@ -137,7 +143,8 @@ MaterialImages puddleImages()
 {
     return bake({{256, 256}, {1.6f, 1.6f}, true}, [](glm::vec2 uv) {
         const glm::vec2 p = (uv - 0.5f) * 2.0f;
-        const float shore = 0.62f + 0.55f * fbm(glm::vec3(glm::normalize(p + 1e-4f) * 1.1f, 4.0f), 4, 2u);
+        const glm::vec3 direction(glm::normalize(p + 1e-4f) * 1.1f, 4.0f);
+        const float shore = 0.62f + 0.55f * fbm(direction, 4, 2u);
         Texel t;
         t.color = glm::vec3(0.018f, 0.016f, 0.013f);
         t.alpha = 0.92f * (1.0f - glm::smoothstep(shore - 0.16f, shore, glm::length(p)));

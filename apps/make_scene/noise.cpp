@@ -6,7 +6,11 @@
 namespace gp::make_scene {
 namespace {
 
-int wrap(int value, int period) { return period > 0 ? ((value % period) + period) % period : value; }
+// A period of 0 means none.
+int wrap(int value, int period)
+{
+    return period > 0 ? ((value % period) + period) % period : value;
+}
 
 // [Perlin 2002, "Improving noise", eq. 4]: second derivative zero at both ends, no visible lattice.
 float fade(float t) { return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f); }

@@ -16,7 +16,9 @@ Mesh leaf(float length, float width, float droop)
 {
     return surface(7, 17, [=](glm::vec2 uv) {
         const float t = uv.y;
-        const float half = width * std::sin(pi * std::pow(t, 0.75f)) * (uv.x - 0.5f);
+        // Exactly 0 at both ends: the sine of a rounded pi is not.
+        const float swell = t <= 0.0f || t >= 1.0f ? 0.0f : std::sin(pi * std::pow(t, 0.75f));
+        const float half = width * swell * (uv.x - 0.5f);
         const float bend = droop * t * t;
         const float crease = 0.25f * std::abs(half);
         return glm::vec3(half, length * (t * std::cos(bend)) + crease,
@@ -80,7 +82,9 @@ Image rugPattern()
         const float diamond = centre.x / 0.72f + centre.y / 0.50f;
         const float star = std::abs(std::sin(p.x * 21.0f) * std::sin(p.y * 21.0f));
         if (diamond < 1.0f)
-            color = diamond > 0.92f ? cream : (std::fmod(diamond * 6.0f, 1.0f) < 0.5f ? ink : ochre);
+            color = diamond > 0.92f                           ? cream
+                    : std::fmod(diamond * 6.0f, 1.0f) < 0.5f ? ink
+                                                             : ochre;
         else if (star > 0.86f)
             color = ochre;
         if (edge < 0.24f) {
@@ -98,11 +102,12 @@ Image landscapePainting()
 {
     return bakeColor({256, 192}, [](glm::vec2 uv) {
         // Evening over a lake, in broad strokes.
-        const glm::vec2 stroke(0.03f * fbm(uv * 9.0f, {0, 0}, 3, 1u), 0.03f * fbm(uv * 7.0f, {0, 0}, 3, 2u));
-        const glm::vec2 p = uv + stroke;
+        const glm::vec2 stroke(fbm(uv * 9.0f, {0, 0}, 3, 1u), fbm(uv * 7.0f, {0, 0}, 3, 2u));
+        const glm::vec2 p = uv + 0.03f * stroke;
         const float horizon = 0.58f;
         const float sky = p.y < horizon ? p.y / horizon : 1.0f - (p.y - horizon) / (1 - horizon);
-        glm::vec3 color = glm::mix(srgb(0x33486e), srgb(0xf0a35a), std::pow(std::max(sky, 0.0f), 1.6f));
+        const float glow = std::pow(std::max(sky, 0.0f), 1.6f);
+        glm::vec3 color = glm::mix(srgb(0x33486e), srgb(0xf0a35a), glow);
         const float sun = glm::length((p - glm::vec2(0.64f, 0.46f)) * glm::vec2(1.33f, 1.0f));
         color = glm::mix(srgb(0xfff0c0), color, glm::smoothstep(0.03f, 0.06f, sun));
         const float crest = 0.44f + 0.16f * fbm(glm::vec2(p.x * 4.0f, 3.0f), {0, 0}, 4, 5u);

@@ -31,7 +31,8 @@ Surfaces addSurfaces(GlbBuilder& glb)
     s.wall = make("hewn stone", {{768, 768}, {2, 2}}, stoneBlocks(srgb(0x8c8376), 7, 4, 11u));
     s.floor = make("flagstones", {{512, 512}, {2, 2}}, flagstones(srgb(0x6f685e), 4, 3, 12u));
     s.rib = make("dressed stone", {{256, 256}, {2, 2}}, [](glm::vec2 uv) {
-        const float grain = fbm(uv * 30.0f, {30, 30}, 4, 13u), stain = fbm(uv * 3.0f, {3, 3}, 4, 14u);
+        const float grain = fbm(uv * 30.0f, {30, 30}, 4, 13u);
+        const float stain = fbm(uv * 3.0f, {3, 3}, 4, 14u);
         Texel t;
         t.color = srgb(0x9a8f7d) * (1 + 0.35f * grain + 0.5f * stain);
         t.height = 0.007f * grain;
@@ -39,7 +40,7 @@ Surfaces addSurfaces(GlbBuilder& glb)
         return t;
     });
     s.oak = make("old oak", {{512, 256}, {1.2f, 0.4f}},
-                 wood({srgb(0x6a4a2e), srgb(0x33211a), 0.6f}, 15u));
+                 wood({srgb(0x8a6440), srgb(0x4a3020), 0.6f}, 15u));
     Material iron;
     iron.name = "black iron";
     iron.color = glm::vec3(0.16f, 0.15f, 0.14f);
@@ -114,7 +115,8 @@ void addRibsAndTorches(GlbBuilder& glb, const Surfaces& s, int count)
         const std::size_t variant = static_cast<std::size_t>(i) % variants;
         std::string number(" ");
         number += std::to_string(i + 1);
-        glb.addNode("rib" + number, ribs[variant], translation(0, 0, z) * rotationY(i % 2 ? pi : 0));
+        glb.addNode("rib" + number, ribs[variant],
+                    translation(0, 0, z) * rotationY(i % 2 ? pi : 0));
         const float side = i % 2 == 0 ? -1.0f : 1.0f;
         // On the face of the pier, turned towards the middle.
         const glm::mat4 place = translation(side * (corridorHalfWidth - 0.215f), 1.36f, z) *
@@ -162,8 +164,9 @@ void addPuddles(GlbBuilder& glb)
                             {-0.30f, -14.0f, 0.2f, 1.2f, 2.4f}, {0.35f, -20.0f, 1.7f, 1.4f, 2.2f}};
     float height = 0.004f;  // no two in one plane, should they touch
     for (const Place& p : places) {
-        glb.addNode("puddle", mesh, translation(p.x, height, p.z) * scaling({p.across, 1, p.along}) *
-                                        rotationY(p.turn));
+        glb.addNode("puddle", mesh,
+                    translation(p.x, height, p.z) * scaling({p.across, 1, p.along}) *
+                        rotationY(p.turn));
         height += 0.0002f;
     }
 }

@@ -28,9 +28,9 @@ void buildFurnace(GlbBuilder& glb, const Parameters& parameters)
             const int mesh = geometry < 0 ? glb.addMesh(white.name, sphere(0.1f, 96, 48), material)
                                           : glb.addMeshLike(white.name, geometry, material);
             geometry = geometry < 0 ? mesh : geometry;
-            const glm::vec2 place(static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1),
-                                  static_cast<float>(row) - 0.5f * static_cast<float>(rows - 1));
-            glb.addNode(white.name, mesh, translation(place.x * spacing, place.y * spacing, 0));
+            const float x = static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1);
+            const float y = static_cast<float>(row) - 0.5f * static_cast<float>(rows - 1);
+            glb.addNode(white.name, mesh, translation(x * spacing, y * spacing, 0));
         }
     Camera camera;
     camera.name = "front";

@@ -1,5 +1,6 @@
 // A living room late in the day. It is closed: light enters through the window in the left wall
-// and comes from the lamps, nowhere else. Inside: x in [-2.6, 2.6], y in [0, 2.7], z in [-2.1, 2.1].
+// and comes from the lamps, nowhere else. Inside, x is in [-2.6, 2.6], y in [0, 2.7] and z in
+// [-2.1, 2.1], in metres.
 #include "landscape.h"
 #include "noise.h"
 #include "room.h"
@@ -93,7 +94,8 @@ void addShell(GlbBuilder& glb)
 void addFloor(GlbBuilder& glb, int oak)
 {
     Mesh slab;
-    addBlock(slab, {-halfX - thick, -thick, -halfZ - thick}, {halfX + thick, -0.012f, halfZ + thick});
+    addBlock(slab, {-halfX - thick, -thick, -halfZ - thick},
+             {halfX + thick, -0.012f, halfZ + thick});
     glb.add("floor slab", slab, plain(glb, "slab", glm::vec3(0.03f), 0.9f));
     Mesh boards;
     Random random(3u);
@@ -118,7 +120,8 @@ void addWindow(GlbBuilder& glb)
     const float x = -halfX - 0.17f, bar = 0.055f;  // the frame sits in the depth of the wall
     Mesh frame;
     const auto upright = [&](float z, float half) {
-        addBlock(frame, {x - 0.03f, windowLow, z - half}, {x + 0.03f, windowHigh, z + half}, 0.005f);
+        addBlock(frame, {x - 0.03f, windowLow, z - half}, {x + 0.03f, windowHigh, z + half},
+                 0.005f);
     };
     const auto across = [&](float y, float half) {
         addBlock(frame, {x - 0.029f, y - half, windowBack}, {x + 0.029f, y + half, windowFront},
@@ -294,8 +297,8 @@ void addPlant(GlbBuilder& glb)
     leaf.roughness = 0.4f;
     leaf.doubleSided = true;
     glb.addNode("leaves", glb.addMesh("leaves", plant.leaves, glb.addMaterial(leaf)), place);
-    glb.addNode("pot", glb.addMesh("pot", plant.pot, plain(glb, "terracotta", srgb(0xb0623f), 0.8f)),
-                place);
+    const int clay = plain(glb, "terracotta", srgb(0xb0623f), 0.8f);
+    glb.addNode("pot", glb.addMesh("pot", plant.pot, clay), place);
     glb.addNode("soil", glb.addMesh("soil", plant.soil, plain(glb, "soil", srgb(0x2e2119), 1.0f)),
                 place);
 }

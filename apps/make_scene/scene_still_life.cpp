@@ -58,7 +58,7 @@ void addTerrace(GlbBuilder& glb)
 
     Material wall;
     wall.name = "parapet";
-    glb.setMaps(wall, bake({{512, 512}, {2, 2}}, stoneBlocks(srgb(0xb0a389), 9, 5, 22u)));
+    glb.setMaps(wall, bake({{384, 384}, {2, 2}}, stoneBlocks(srgb(0xb0a389), 9, 5, 22u)));
     const int material = glb.addMaterial(wall);
     Mesh parapet = box({10, 0.86f, 0.3f});
     parapet.scaleUv(glm::vec2(0.5f)).transform(translation(0, 0.43f, -2.05f));
@@ -67,7 +67,8 @@ void addTerrace(GlbBuilder& glb)
     for (int i = -4; i <= 4; ++i) {
         Mesh cap = box({1.19f, 0.07f, 0.42f}, 0.012f, 3);
         cap.scaleUv(glm::vec2(0.18f), {0.13f * static_cast<float>(i), 0.05f});
-        caps.append(cap.transform(translation(1.2f * static_cast<float>(i) + 0.4f, 0.895f, -2.05f)));
+        const float x = 1.2f * static_cast<float>(i) + 0.4f;
+        caps.append(cap.transform(translation(x, 0.895f, -2.05f)));
     }
     Material slab;
     slab.name = "coping";
@@ -129,7 +130,7 @@ void addFruit(GlbBuilder& glb)
     const auto skin = [&](const char* name, const TexelFunction& texel, float coat) {
         Material material;
         material.name = name;
-        glb.setMaps(material, bake({{384, 192}, {0.22f, 0.11f}}, texel));
+        glb.setMaps(material, bake({{320, 160}, {0.22f, 0.11f}}, texel));
         material.clearcoat = coat;
         material.clearcoatRoughness = 0.15f;
         return glb.addMaterial(material);
@@ -148,9 +149,11 @@ void addFruit(GlbBuilder& glb)
     };
     const glm::mat4 dish = onTable(0.055f, -0.05f);
     withStem("apple in the bowl", red,
-             dish * translation(-0.068f, 0.045f, 0.028f) * rotationZ(0.42f) * rotationY(0.6f), 0.056f);
+             dish * translation(-0.068f, 0.045f, 0.028f) * rotationZ(0.42f) * rotationY(0.6f),
+             0.056f);
     withStem("apple behind", red,
-             dish * translation(0.030f, 0.045f, -0.072f) * rotationX(-0.4f) * rotationY(2.4f), 0.056f);
+             dish * translation(0.030f, 0.045f, -0.072f) * rotationX(-0.4f) * rotationY(2.4f),
+             0.056f);
     withStem("pear", pearMesh,
              dish * translation(-0.022f, 0.068f, -0.022f) * rotationZ(0.20f) * rotationX(-0.15f),
              0.105f);
@@ -278,11 +281,13 @@ void addBubble(GlbBuilder& glb)
     film.filmThicknessMinNm = 140.0f;
     film.filmThicknessMaxNm = 620.0f;
     // The film drains downwards and swirls: thickness in the green channel.
-    film.filmThicknessTexture = glb.addTexture("film thickness", bakeNumbers({256, 256}, [](glm::vec2 uv) {
+    const auto thickness = [](glm::vec2 uv) {
         const glm::vec2 bend(0.0f, 0.35f * fbm(uv * glm::vec2(4, 3), {4, 0}, 4, 81u));
         const float swirl = fbm((uv + bend) * glm::vec2(3, 9), {3, 0}, 4, 82u);
         return glm::vec3(glm::clamp(1.0f - 0.85f * uv.y + 0.35f * swirl, 0.0f, 1.0f));
-    }));
+    };
+    film.filmThicknessTexture =
+        glb.addTexture("film thickness", bakeNumbers({256, 256}, thickness));
     glb.addNode("soap bubble", glb.addMesh("soap bubble", sphere(0.042f, 96, 48),
                                            glb.addMaterial(film)),
                 onTable(0.150f, 0.05f, 0.4f, 0.265f));

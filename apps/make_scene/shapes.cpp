@@ -36,6 +36,9 @@ std::vector<float> boxLines(float half, float radius, int steps)
                                                              static_cast<float>(steps)));
     for (int i = 0; i <= steps; ++i)
         lines.push_back(-lines[static_cast<std::size_t>(steps - i)]);
+    // To the bit where the neighbouring face lies, or the box is open along its edges.
+    lines.front() = -half;
+    lines.back() = half;
     return lines;
 }
 

@@ -114,7 +114,7 @@ Mesh grapes(std::uint32_t seed)
         }
     Mesh mesh;
     for (const glm::vec3& centre : centres) {
-        Mesh berry = sphere(radius * random.uniform(0.9f, 1.06f), 28, 16);
+        Mesh berry = sphere(radius * random.uniform(0.9f, 1.06f), 24, 14);
         const glm::vec3 axis(random.uniform(-1, 1), random.uniform(-1, 1), 0.4f);
         berry.transform(translation(centre) * rotationFromY(axis) *
                         scaling(glm::vec3(1.0f, random.uniform(1.0f, 1.12f), 1.0f)));

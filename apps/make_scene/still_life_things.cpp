@@ -119,7 +119,7 @@ Book book()
 Mesh cloth(float edge)
 {
     constexpr float width = 0.30f, back = 0.0f, hanging = 0.25f, bend = 0.014f;
-    return surface(101, 121, [=](glm::vec2 uv) {
+    return surface(91, 111, [=](glm::vec2 uv) {
         const float flat = edge - back, corner = bend * pi / 2;
         // The far corner lies askew, or the piece looks cut out with a ruler.
         const float s = uv.y * (flat + corner + hanging) * (1 - 0.06f * uv.x * uv.y);
@@ -128,7 +128,8 @@ Mesh cloth(float edge)
         // back) and where nothing holds it (over the edge).
         const float bunch = std::exp(-s / 0.10f);
         const float free = glm::smoothstep(flat - 0.10f, flat + 0.10f, s);
-        const float wander = 0.9f * std::sin(s * 9.0f) + 1.5f * fbm(glm::vec3(x0 * 7, s * 6, 1), 3, 4u);
+        const float wander =
+            0.9f * std::sin(s * 9.0f) + 1.5f * fbm(glm::vec3(x0 * 7, s * 6, 1), 3, 4u);
         const float wave = 0.5f + 0.5f * std::sin(uv.x * 21.0f + 1.4f * wander + 2.2f * bunch);
         const float crumple = fbm(glm::vec3(x0 * 24.0f, s * 20.0f, 3.0f), 3, 6u);
         const float fold = (0.0045f + 0.034f * bunch + 0.034f * free) * wave +
