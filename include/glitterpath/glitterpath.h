@@ -80,9 +80,10 @@ typedef enum GpError {
                                        an instance of a static mesh, a buffer that is too small */
     GP_ERROR_DUPLICATE_ID = 8,      /* an id that another living object of the scene has */
     GP_ERROR_OUT_OF_MEMORY = 9,
-    GP_ERROR_UNSUPPORTED = 10,      /* known but not there in this build or on this machine */
+    GP_ERROR_UNSUPPORTED = 10,      /* not there in this build or on this machine; a kind of file or
+                                       an extension that is not read */
     GP_ERROR_FILE_NOT_FOUND = 11,
-    GP_ERROR_FILE_INVALID = 12,     /* truncated, corrupt, or not of the kind that it should be */
+    GP_ERROR_FILE_INVALID = 12,     /* truncated, corrupt, not of the kind that this call wants */
     GP_ERROR_FILE_WRITE = 13,
     GP_ERROR_CANCELLED = 14         /* by gpCancelRender or by the progress callback; the frame
                                        holds the samples taken so far */

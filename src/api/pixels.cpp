@@ -1,3 +1,5 @@
+#include "shading/shading.h"
+
 #include "api/pixels.h"
 
 #include <algorithm>
@@ -10,16 +12,6 @@
 namespace gp::api {
 
 namespace {
-
-// [IEC 61966-2-1, sRGB]
-float linearFromSrgb(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
-
-// [IEC 61966-2-1, sRGB]
-float srgbFromLinear(float v) {
-    return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-}
 
 uint8_t byteFrom(float v) { return uint8_t(std::lround(v * 255)); }
 float clip(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }  // NaN becomes 0
@@ -47,13 +39,13 @@ std::vector<float> linearPixels(const ImageFile& file) {
     std::vector<float> linear(size_t(image.width) * image.height * 4);
     const bool bytes = image.format == PixelFormat::rgba8;
     std::array<float, 256> decoded{};
-    for (size_t i = 0; i < decoded.size(); ++i) decoded[i] = linearFromSrgb(float(i) / 255);
+    for (size_t i = 0; i < decoded.size(); ++i) decoded[i] = shading::srgb_decode_1(float(i) / 255);
     for (size_t i = 0; i < linear.size(); ++i) {
         const bool alpha = i % 4 == 3;
         if (bytes)
             linear[i] = alpha ? float(image.bytes()[i]) / 255 : decoded[image.bytes()[i]];
         else if (file.displayReferred && !alpha)
-            linear[i] = linearFromSrgb(image.floats()[i]);
+            linear[i] = shading::srgb_decode_1(image.floats()[i]);
         else
             linear[i] = image.floats()[i];
     }
@@ -63,7 +55,7 @@ std::vector<float> linearPixels(const ImageFile& file) {
 std::vector<uint8_t> displayPixels(const float* rgba, size_t pixelCount) {
     std::vector<uint8_t> bytes(pixelCount * 4);
     for (size_t i = 0; i < bytes.size(); ++i)
-        bytes[i] = byteFrom(i % 4 == 3 ? clip(rgba[i]) : srgbFromLinear(clip(rgba[i])));
+        bytes[i] = byteFrom(i % 4 == 3 ? clip(rgba[i]) : shading::srgb_encode_1(clip(rgba[i])));
     return bytes;
 }
 

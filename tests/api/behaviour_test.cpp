@@ -122,13 +122,16 @@ TEST(Behaviour, AnEnvironmentTakesTheSkysSunAway) {
 
 TEST(Behaviour, SceneInfoCountsSharedThingsOnce) {
     World w;
+    GpInstanceDesc again{};
+    again.mesh = w.mesh;
+    EXPECT_NE(gpNewInstance(w.scene, &again), nullptr);
     GpSceneInfo info{};
     EXPECT_EQ(gpGetSceneInfo(w.scene, &info), GP_SUCCESS);
     EXPECT_EQ(info.meshes, 3u);
     EXPECT_EQ(info.instances, 4u);
     EXPECT_EQ(info.triangles, 3u);
     EXPECT_EQ(info.instancedTriangles, 4u);
-    EXPECT_EQ(info.lights, 2u);
+    EXPECT_EQ(info.lights, 1u);
     EXPECT_EQ(info.boundsMax[0], 1);
     EXPECT_EQ(info.boundsMin[2], 0);
     const GpScene empty = gpNewScene(w.device);

@@ -147,7 +147,7 @@ Rows imageRows() {
              const GpError error = gpLoadImage(w.device, "nowhere.png", &image);
              return image.width == 7 ? error : GP_ERROR_UNKNOWN;
          }},
-        {"gpLoadImage", "a folder", GP_ERROR_FILE_NOT_FOUND, "",
+        {"gpLoadImage", "a folder", GP_ERROR_FILE_INVALID, "not a regular file",
          [](World& w) {
              GpImage image;
              return gpLoadImage(w.device, w.folder.c_str(), &image);

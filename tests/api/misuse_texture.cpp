@@ -75,7 +75,7 @@ Rows textureRows() {
          [](World& w) { return made(gpNewTextureFromFile(w.device, "", nullptr)); }},
         {"gpNewTextureFromFile", "no such file", GP_ERROR_FILE_NOT_FOUND, "nowhere.png",
          [](World& w) { return made(gpNewTextureFromFile(w.device, "nowhere.png", nullptr)); }},
-        fileRow("not an image", GP_ERROR_FILE_INVALID, "gp_misuse_texture.png", "hello, world\n"),
+        fileRow("not an image", GP_ERROR_UNSUPPORTED, "gp_misuse_texture.png", "hello, world\n"),
         fileRow("an empty file", GP_ERROR_FILE_INVALID, "gp_misuse_texture.png", ""),
         fileRow("a truncated PNG", GP_ERROR_FILE_INVALID, "gp_misuse_texture.png",
                 "\x89PNG\r\n\x1a\n"),

@@ -82,18 +82,22 @@ TEST(Threads, DevicesOfTheirOwn) {
 TEST(Threads, CancellingFromAnotherThreadEndsTheRender) {
     World w;
     struct Shared {
-        std::atomic<bool> running{false};
+        std::atomic<bool> running{false}, cancelled{false};
     } shared;
     GpRenderOptions options{};
     options.timeLimit = 60;
     options.progressUser = &shared;
     options.progress = [](void* user, const GpProgress*) {
-        static_cast<Shared*>(user)->running = true;
+        // The null backend would be done before the other thread has begun.
+        Shared& s = *static_cast<Shared*>(user);
+        s.running = true;
+        while (!s.cancelled) std::this_thread::yield();
         return 0;
     };
     std::thread canceller([&] {
         while (!shared.running) std::this_thread::yield();
         gpCancelRender(w.device);
+        shared.cancelled = true;
     });
     EXPECT_EQ(gpRender(w.frame, w.scene, nullptr, &options), GP_ERROR_CANCELLED);
     canceller.join();
