@@ -174,7 +174,7 @@ inline BsdfSample drawSample(const BsdfParams& m, vec3 wo, Random& random) {
     return bsdf_sample(m, wo, lobe, vec2(x, random.uniform()));
 }
 
-// The directions to a tested hemisphere: the side of the view and, if light goes through, the other.
+// The hemispheres to be tested: the side of the view and, if light goes through, the other.
 inline std::vector<int> hemispheresOf(const BsdfCase& c, vec3 wo) {
     const int side = wo.z > 0.0f ? 1 : -1;
     return c.transmits() ? std::vector<int>{side, -side} : std::vector<int>{side};

@@ -59,7 +59,7 @@ TEST(Fresnel, ConductorIsExact) {
         const vec3 k = 0.01f + 6.0f * vec3(random.uniform(), 0.5f, random.uniform());
         const vec3 f = fresnel_conductor(c, eta, k);
         for (int channel = 0; channel < 3; ++channel) {
-            const Complex index(double(eta[channel]), double(k[channel]));
+            const Complex index{double(eta[channel]), double(k[channel])};
             ASSERT_NEAR(f[channel], exactReflectance(c, index), 1e-5) << c;
         }
     }

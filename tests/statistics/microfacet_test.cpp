@@ -173,7 +173,8 @@ TEST(Microfacet, AlbedoMatchesGoldenValues) {
         const double e = albedoOf(f, row.at("g2") == "heightcorr", number(row, "alpha"),
                                   number(row, "mu"));
         EXPECT_NEAR(e, double(number(row, "E")), 5e-4)
-            << row.at("ndf") << " " << row.at("g2") << " " << row.at("alpha") << " " << row.at("mu");
+            << row.at("ndf") << " " << row.at("g2") << " " << row.at("alpha") << " "
+            << row.at("mu");
     }
     EXPECT_NEAR(albedoOf(distributions[0], true, 1.0f, 1.0f), 1.0 - std::log(2.0), 2e-4);
 }
