@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     camera.position[1] = 1.5f, camera.position[2] = 5;
     camera.target[1] = 1;
     options.samplesPerPixel = 8;
-    options.exposureEv = -4;
+    options.exposureEv = -5;
     for (n = 0; n < FRAMES; ++n) {
         const float angle = 0.4f * (float)n;
         const float turned[12] = {cosf(angle), 0, sinf(angle), 1.1f, 0, 1, 0, 0,

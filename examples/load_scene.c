@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     size.height = 240;
     frame = gpNewFrame(device, &size);
     options.samplesPerPixel = 16;
-    options.exposureEv = -4;
+    options.exposureEv = -5;
     options.progress = showProgress;
     require(gpRender(frame, scene, NULL, &options) == GP_SUCCESS);
     fprintf(stderr, "\n");

@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
     GpFrame frame = gpNewFrame(device, &size);
     GpRenderOptions options = {0};
     options.samplesPerPixel = 16;
-    options.exposureEv = -4;
+    options.exposureEv = -5;
     gpRender(frame, scene, NULL, &options);
     gpSaveFrame(frame, path, NULL);
 

@@ -88,6 +88,15 @@ def check_picture(path):
     print(f"{os.path.basename(path)}: {width}x{height}, {lit:.0%} lit, {len(set(colours))} colours")
 
 
+def check_movement(paths):
+    """Each picture must differ from the one before by more than the noise of its samples."""
+    frames = [png_pixels(path)[2] for path in paths]
+    for before, after in zip(frames, frames[1:]):
+        changed = sum(abs(a - b) > 40 for r, s in zip(before, after) for a, b in zip(r, s))
+        if changed < 200:
+            sys.exit(f"only {changed} values differ between two frames: nothing has moved")
+
+
 def install(args, work):
     """Into one folder, then moved to another: nothing installed may know where it stood first."""
     first, prefix = os.path.join(work, "first"), os.path.join(work, "prefix")
@@ -145,7 +154,8 @@ def main():
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--flags", default="")
     args = parser.parse_args()
-    work = args.work
+    args.build, args.source, work = (os.path.abspath(p) for p in
+                                     (args.build, args.source, args.work))
     shutil.rmtree(work, ignore_errors=True)
     pictures = os.path.join(work, "pictures")
     os.makedirs(pictures)
@@ -160,6 +170,10 @@ def main():
         print(run([os.path.join(build, example), *arguments[example]], cwd=pictures), end="")
         for name in names:
             check_picture(os.path.join(pictures, name))
+
+    check_movement([os.path.join(pictures, name) for name in PICTURES["dynamic_mesh"]])
+    if os.path.getsize(os.path.join(pictures, "loaded.exr")) < 10000:
+        sys.exit("loaded.exr is too small for four layers")
 
     program = build_with_pkg_config(args, work, libraries)
     run([program, "pkg-config.png"], cwd=pictures,
