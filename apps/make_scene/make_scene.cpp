@@ -13,10 +13,10 @@ std::vector<SceneDefinition> sceneTable()
 {
     return {
         {{"still-life", "materials on a garden table: glass, water, glaze, metals, cloth, a bubble",
-          "--sun 248,34,0", {}},
+          "--sun 296,36,0", {}},
          buildStillLife},
         {{"room", "a living room with a window, floor lamp, pendant globes, mirror and shelf",
-          "--sun 265,28,0", {}},
+          "--sun 262,30,0", {}},
          buildRoom},
         {{"corridor", "a vaulted stone corridor with torches, doors, puddles and ivy", "",
           {{"torches", "torches along both walls", 12, 8, 40, true}}},

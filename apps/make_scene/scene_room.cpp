@@ -49,7 +49,7 @@ Woods addWoods(GlbBuilder& glb)
         return glb.addMaterial(material);
     };
     return {make("oak boards", {srgb(0xc79a68), srgb(0x92683c), 0.42f}, 1u),
-            make("walnut", {srgb(0x8a5d3c), srgb(0x50301c), 0.36f}, 2u)};
+            make("walnut", {srgb(0x9c6b45), srgb(0x603c25), 0.36f}, 2u)};
 }
 
 // A block from corner to corner, textured in metres.

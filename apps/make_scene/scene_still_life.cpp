@@ -1,6 +1,6 @@
 // Things of many materials on a garden table, put together as painters of still lifes did: a
-// triangle whose tall corner is the carafe, light from the upper left, a cloth that leads the eye
-// in over the edge, and a soap bubble for the shortness of life. The light is the sky's.
+// triangle whose tall corner is the carafe, light from behind on the left, a cloth that leads the
+// eye in over the edge, and a soap bubble for the shortness of life. The light is the sky's.
 #include "landscape.h"
 #include "noise.h"
 #include "scenes.h"
