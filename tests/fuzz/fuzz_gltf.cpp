@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include "io/gltf.h"
@@ -32,6 +33,8 @@ void checkScene(const gp::Scene& scene) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    // Threads would cost more than these small files take, and hide which input was slow.
+    static const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
     static const std::string path =
         (std::filesystem::temp_directory_path() / ("gp-fuzz-" + std::to_string(getpid()))).string();
     std::FILE* file = std::fopen(path.c_str(), "wb");
