@@ -4,14 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gp::make_scene {
-namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
-
-}  // namespace
 
 Torch torch(std::uint32_t seed)
 {

@@ -79,7 +79,7 @@ int GlbBuilder::addTexture(const std::string& name, const Image& image, bool rep
                           {"wrapS", wrap}, {"wrapT", wrap}};
     json& samplers = m_gltf["samplers"];
     int samplerIndex = 0;
-    while (samplerIndex <= lastIndex(samplers) && samplers[samplerIndex] != sampler)
+    while (samplerIndex <= lastIndex(samplers) && samplers[static_cast<std::size_t>(samplerIndex)] != sampler)
         ++samplerIndex;
     if (samplerIndex > lastIndex(samplers))
         samplers.push_back(sampler);
@@ -131,7 +131,7 @@ int GlbBuilder::addMesh(const std::string& name, const Mesh& mesh, int material)
 
 int GlbBuilder::addMeshLike(const std::string& name, int mesh, int material)
 {
-    json copy = m_gltf["meshes"][mesh];
+    json copy = m_gltf["meshes"][static_cast<std::size_t>(mesh)];
     copy["name"] = name;
     copy["primitives"][0]["material"] = material;
     m_gltf["meshes"].push_back(copy);
