@@ -49,16 +49,23 @@ public:
         placeNodes(m_document, m_nodes, m_seed);
         for (const uint32_t i : nodesOfScene(m_document, m_nodes, m_options.scene)) addNode(i);
         m_materials.loadTextures();
-        const Bounds bounds = worldBounds(m_scene);
-        if (!bounds.empty() && !(std::isfinite(glm::length(bounds.lo)) &&
-                                 std::isfinite(glm::length(bounds.hi))))
-            m_document.root().fail("the scene is too large: its size is beyond the range of float");
+        refuseHugeBounds();
         m_scene.sources.push_back(m_document.path());
         m_scene.warnings = m_document.takeWarnings();
         return std::move(m_scene);
     }
 
 private:
+    // Squares of lengths must fit in a float, with room for what a tracer adds.
+    void refuseHugeBounds() const {
+        constexpr float most = 1e18f;
+        const Bounds b = worldBounds(m_scene);
+        if (b.empty()) return;
+        for (int c = 0; c < 3; ++c)
+            if (!(b.lo[c] >= -most && b.hi[c] <= most))
+                m_document.root().fail("the scene is too large: it reaches beyond 1e18 m");
+    }
+
     void animate() {
         const size_t count = m_scene.animations.size();
         if (m_options.animation >= 0 && size_t(m_options.animation) >= count)
@@ -114,7 +121,8 @@ private:
         const Value where = m_document.element("nodes", nodeIndex);
         m_document.budget().spend(sizeof(Instance) + 64, where);
         for (int c = 0; c < 4; ++c)
-            if (!std::isfinite(glm::length(world[c]))) where.fail("its transform is not finite");
+            for (int r = 0; r < 3; ++r)
+                if (!std::isfinite(world[c][r])) where.fail("its transform is not finite");
         auto instance = std::make_shared<Instance>();
         const uint64_t key[2] = {shown.primitive, copy};
         instance->id = hashBytes(key, sizeof key, node.pathHash);
