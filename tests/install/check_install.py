@@ -52,8 +52,9 @@ def png_pixels(path):
     raw, stride = zlib.decompress(packed), width * 4
     rows, above = [], bytearray(stride)
     for y in range(height):
-        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        unfilter(kind, row, above)
+        start = y * (stride + 1)
+        row = bytearray(raw[start + 1:start + 1 + stride])
+        unfilter(raw[start], row, above)
         rows.append(row)
         above = row
     return width, height, rows
