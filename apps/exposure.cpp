@@ -78,7 +78,8 @@ double automaticExposureEv(const float* rgba, std::size_t pixelCount) {
         return 0;
     }
     const double d = trimmedMean(sorted, 0.05, 0.95) - std::log2(kTargetKey);
-    const double correction = -d * d * d / (d * d + 4.0);
+    const double d4 = d * d * d * d;
+    const double correction = -d * d4 / (d4 + 16.0);
     if (correction <= 0) {
         return correction;
     }

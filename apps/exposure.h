@@ -11,7 +11,8 @@ namespace gp::tool {
 // pixels that show the surroundings count a fourth of those that show surfaces. d is its distance
 // in stops from log2 0.25, the key of a well-exposed picture.
 // - Small d is the scene's own intention, large d a matter of units or daylight: the correction is
-//   -d * d^2 / (d^2 + 4), so that a key of 1 is moved by one stop and a key of 50 by nearly all.
+//   -d * d^4 / (d^4 + 16), so that a key of 0.5 is hardly moved, one of 1 by one stop of its two,
+//   and one of 50 by all.
 // - A picture is brightened by at most 6 stops, and never so far that more than 2 % of the pixels
 //   pass 1: lamps in the dark stay lamps in the dark.
 double automaticExposureEv(const float* rgba, std::size_t pixelCount);

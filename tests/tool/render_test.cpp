@@ -137,6 +137,29 @@ TEST(Render, ASceneWithoutLightGetsASkyAndSaysSo) {
     EXPECT_EQ(meanLuminance(folder("black.exr")), 0.0);
 }
 
+// Surfaces that glow are light; glow painted with a texture up to radiance 1 is not.
+TEST(Render, PaintedGlowIsNoLight) {
+    const TestFolder folder;
+    writeTriangleScene(folder("triangle.gltf"));
+    const std::string plain = readText(folder("triangle.gltf"));
+    // One white pixel as a PNG.
+    const std::string image =
+        R"("images": [{"uri": "pixel.png"}], "textures": [{"source": 0}], )";
+    writePicture(folder("pixel.png"), 1, 1, uniformRgba(1, 1, 1, 1, 1));
+    const auto note = [&](const std::string& material, const std::string& more) {
+        std::string scene = plain;
+        const std::string triangle = R"("POSITION": 0})";
+        scene.replace(scene.find(triangle), triangle.size(), triangle + R"(, "material": 0)");
+        scene.insert(1, more + R"("materials": [{)" + material + "}], ");
+        writeText(folder("glow.gltf"), scene);
+        return render(folder("glow.gltf"), folder("glow.exr"), {"--spp", "1"}).err;
+    };
+    const std::string texture = R"(, "emissiveTexture": {"index": 0})";
+    const std::string factor = R"("emissiveFactor": [1, 1, 1])";
+    EXPECT_EQ(note(factor, "").find("no light"), std::string::npos);
+    EXPECT_NE(note(factor + texture, image).find("no light"), std::string::npos);
+}
+
 // A uniform surrounding of radiance L shows L where nothing is in front of it.
 TEST(Render, SurroundingsShowTheirRadiance) {
     const TestFolder folder;

@@ -45,12 +45,10 @@ struct Pipe {
     _exit(127);
 }
 
-// Reads both pipes to their ends, so that neither fills up, and sends the signals on the way.
-void collect(pid_t child, const Pipe& out, const Pipe& err, ToolResult& result, double after,
-             bool twice) {
+// Reads both pipes to their ends, so that neither fills up, and sends the signal on the way.
+void collect(pid_t child, const Pipe& out, const Pipe& err, ToolResult& result, double after) {
     const Clock::time_point start = Clock::now();
-    int signalsLeft = after < 0 ? 0 : (twice ? 2 : 1);
-    double nextSignal = after;
+    bool signalLeft = after >= 0;
     pollfd files[2] = {{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}};
     std::string* texts[2] = {&result.out, &result.err};
     while (files[0].fd >= 0 || files[1].fd >= 0) {
@@ -68,18 +66,16 @@ void collect(pid_t child, const Pipe& out, const Pipe& err, ToolResult& result, 
             }
         }
         const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-        if (signalsLeft > 0 && elapsed >= nextSignal) {
+        if (signalLeft && elapsed >= after) {
             kill(child, SIGINT);
-            --signalsLeft;
-            nextSignal += 0.05;
+            signalLeft = false;
         }
     }
 }
 
 }  // namespace
 
-ToolResult runTool(const std::vector<std::string>& arguments, double signalAfterSeconds,
-                   bool twice) {
+ToolResult runTool(const std::vector<std::string>& arguments, double signalAfterSeconds) {
     const Pipe out;
     const Pipe err;
     const pid_t child = fork();
@@ -89,7 +85,7 @@ ToolResult runTool(const std::vector<std::string>& arguments, double signalAfter
     close(out.ends[1]);
     close(err.ends[1]);
     ToolResult result;
-    collect(child, out, err, result, signalAfterSeconds, twice);
+    collect(child, out, err, result, signalAfterSeconds);
     close(out.ends[0]);
     close(err.ends[0]);
     int status = 0;

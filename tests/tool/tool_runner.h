@@ -14,9 +14,8 @@ struct ToolResult {
 };
 
 // Runs the tool with stdout and stderr in pipes. After `signalAfterSeconds` (none: < 0) it is sent
-// SIGINT, and again after as long where `twice`.
-ToolResult runTool(const std::vector<std::string>& arguments, double signalAfterSeconds = -1,
-                   bool twice = false);
+// SIGINT.
+ToolResult runTool(const std::vector<std::string>& arguments, double signalAfterSeconds = -1);
 
 std::vector<std::string> linesOf(const std::string& text);
 bool exists(const std::string& path);
