@@ -79,7 +79,8 @@ int GlbBuilder::addTexture(const std::string& name, const Image& image, bool rep
                           {"wrapS", wrap}, {"wrapT", wrap}};
     json& samplers = m_gltf["samplers"];
     int samplerIndex = 0;
-    while (samplerIndex <= lastIndex(samplers) && samplers[static_cast<std::size_t>(samplerIndex)] != sampler)
+    while (samplerIndex <= lastIndex(samplers) &&
+           samplers[static_cast<std::size_t>(samplerIndex)] != sampler)
         ++samplerIndex;
     if (samplerIndex > lastIndex(samplers))
         samplers.push_back(sampler);
