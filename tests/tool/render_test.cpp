@@ -238,7 +238,8 @@ TEST(Render, ExposureAndToneMapReachThePicture) {
         }
         files.push_back(file);
     }
-    const ToolResult exr = render(cornellPath(), folder("a.exr"), {"--spp", "1", "--exposure", "2"});
+    const ToolResult exr =
+        render(cornellPath(), folder("a.exr"), {"--spp", "1", "--exposure", "2"});
     EXPECT_NE(exr.err.find("change nothing"), std::string::npos);
     const ToolResult automatic = render(cornellPath(), folder("auto.png"), {"--spp", "4"});
     EXPECT_NE(automatic.err.find("EV (automatic)"), std::string::npos) << automatic.err;
