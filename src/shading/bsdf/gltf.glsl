@@ -23,6 +23,8 @@ struct GltfView {
     vec3 o;            // wo, mirrored to z > 0
     bool flip;
     float eta;
+    float alpha;       // one width for the fits of albedos
+    float f0;          // of the dielectric, the largest channel
     float coat_through;
     float sheen_through;
     float base_through;  // 1 - E(o) of the dielectric
@@ -33,19 +35,20 @@ struct GltfView {
 
 // Schlick's f0 that gives the film's reflectance at this angle, so that the fits of albedos work.
 vec3 gltf_effective_f0(IN(BsdfParams) m, vec3 f0, float f90, float cos_w) {
-    if (m.iridescence <= 0.0f) {
-        return f0;
-    }
     float weight = min(schlick_weight(cos_w), 0.99f);
     vec3 f = mix(fresnel_schlick(f0, vec3(f90), cos_w), gltf_film(m, f0, cos_w), m.iridescence);
     return clamp((f - vec3(f90 * weight)) / (1.0f - weight), vec3(0.0f), vec3(1.0f));
 }
 
-// E of the dielectric interface towards w, the largest channel: one number for all, as in
-// KHR_materials_specular, so that a coloured reflection does not tint the base.
-float gltf_dielectric_albedo(IN(BsdfParams) m, float cos_w, IN(GgxAlbedo) e) {
-    vec3 f0 = gltf_effective_f0(m, gltf_dielectric_f0(m), m.specular, cos_w);
-    return min(ggx_albedo_fresnel(e, max_component(f0), m.specular), 1.0f);
+// 1 - E of the dielectric interface towards w, by the largest channel: one number for all, as in
+// KHR_materials_specular, so that a coloured reflection does not tint the base. f0 is
+// max_component(gltf_dielectric_f0(m)).
+float gltf_dielectric_through(IN(BsdfParams) m, float f0, float cos_w, GgxAlbedo e) {
+    float f = f0;
+    if (m.iridescence > 0.0f) {
+        f = max_component(gltf_effective_f0(m, gltf_dielectric_f0(m), m.specular, cos_w));
+    }
+    return max(1.0f - ggx_albedo_fresnel(e, f, m.specular), 0.0f);
 }
 
 bool gltf_has_diffuse(IN(BsdfParams) m) {
@@ -72,6 +75,8 @@ GltfView gltf_view_from_inside(IN(BsdfParams) m, vec3 wo) {
     view.o = mirrored_z(wo);
     view.flip = true;
     view.eta = relative_ior(m.ior, -1.0f);
+    view.alpha = 1.0f;
+    view.f0 = 0.0f;
     view.coat_through = 1.0f;
     view.sheen_through = 1.0f;
     view.base_through = 0.0f;
@@ -108,11 +113,14 @@ GltfView gltf_view(IN(BsdfParams) m, vec3 wo) {
     view.sheen_through = gltf_sheen_through(m, view.o);
     view.p_coat = 1.0f - view.coat_through;
     view.p_sheen = view.coat_through * (1.0f - view.sheen_through);
+    view.alpha = mean_alpha(m);
+    view.f0 = 0.0f;
     view.base_through = 0.0f;
     view.p_diffuse = 0.0f;
     if (gltf_has_diffuse(m)) {
-        GgxAlbedo e = ggx_albedo(view.o.z, mean_alpha(m));
-        view.base_through = 1.0f - gltf_dielectric_albedo(m, view.o.z, e);
+        GgxAlbedo e = ggx_albedo(view.o.z, view.alpha);
+        view.f0 = max_component(gltf_dielectric_f0(m));
+        view.base_through = gltf_dielectric_through(m, view.f0, view.o.z, e);
         float share = gltf_diffuse_share(m, view, e);
         view.p_diffuse = (1.0f - view.p_coat - view.p_sheen) * share;
     }
@@ -126,18 +134,42 @@ float gltf_interface_probability(IN(GltfView) view) {
 // Diffuse reflection under the interface; with F = 1 - E the two sum up to white.
 // [Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks", section "Diffuse"]
 vec3 gltf_diffuse_f_cos(IN(BsdfParams) m, IN(GltfView) view, vec3 i) {
-    float alpha = mean_alpha(m);
-    float through_i = 1.0f - gltf_dielectric_albedo(m, i.z, ggx_albedo(i.z, alpha));
+    float through_i = gltf_dielectric_through(m, view.f0, i.z, ggx_albedo(i.z, view.alpha));
     float scale;
     if (m.iridescence > 0.0f) {
         // The film's average is not known in closed form; the smaller share needs none.
         scale = min(view.base_through, through_i);
     } else {
-        float f0 = max_component(gltf_dielectric_f0(m));
-        float average = ggx_albedo_fresnel(ggx_albedo_average(alpha), f0, m.specular);
+        GgxAlbedo e = ggx_albedo_average(view.alpha);
+        float average = ggx_albedo_fresnel(e, view.f0, m.specular);
         scale = view.base_through * through_i / max(1.0f - average, 1.0e-3f);
     }
     return gltf_diffuse_color(m) * (scale * INV_PI * i.z);
+}
+
+// The base's value `base` seen through sheen and coat, and what these two add.
+BsdfValue gltf_under_layers(IN(BsdfParams) m, IN(GltfView) view, vec3 i, IN(BsdfValue) base) {
+    BsdfValue v = base;
+    // The direction on the other side of the layers, were they to be crossed twice: light that
+    // enters a solid body crosses them once, on wo's side; light that leaves it, on wi's.
+    bool enters = i.z < 0.0f && m.thin == 0u && !view.flip;
+    vec3 far_side = vec3(i.x, i.y, abs(i.z));
+    if (m.sheen_color != vec3(0.0f)) {
+        float through = enters ? 1.0f : gltf_sheen_through(m, far_side);
+        v.f_cos *= min(view.sheen_through, through);
+        if (i.z > 0.0f) {
+            v.f_cos += m.sheen_color * sheen_f_cos(view.o, i, m.sheen_alpha);
+            v.pdf += view.p_sheen * uniform_hemisphere_pdf(i);
+        }
+    }
+    if (m.coat > 0.0f) {
+        float through = enters ? 1.0f : gltf_coat_through(m, far_side);
+        v.f_cos *= min(view.coat_through, through);
+        BsdfValue coat = coat_eval(m, view.o, i);
+        v.f_cos += coat.f_cos;
+        v.pdf += view.p_coat * coat.pdf;
+    }
+    return v;
 }
 
 // All lobes towards wi, in the frame in which the view is above.
@@ -155,24 +187,8 @@ BsdfValue gltf_eval_view(IN(BsdfParams) m, IN(GltfView) view, vec3 i) {
     if (inside && i.z > 0.0f) {
         return v;
     }
-    // The direction on the other side of the layers, were they to be crossed twice: light that
-    // enters a solid body crosses them once, on wo's side; light that leaves it, on wi's.
-    bool enters = i.z < 0.0f && m.thin == 0u && !view.flip;
-    vec3 far = vec3(i.x, i.y, abs(i.z));
-    if (m.sheen_color != vec3(0.0f)) {
-        float through = enters ? 1.0f : gltf_sheen_through(m, far);
-        v.f_cos *= min(view.sheen_through, through);
-        if (i.z > 0.0f) {
-            v.f_cos += m.sheen_color * sheen_f_cos(view.o, i, m.sheen_alpha);
-            v.pdf += view.p_sheen * uniform_hemisphere_pdf(i);
-        }
-    }
-    if (m.coat > 0.0f) {
-        float through = enters ? 1.0f : gltf_coat_through(m, far);
-        v.f_cos *= min(view.coat_through, through);
-        BsdfValue coat = coat_eval(m, view.o, i);
-        v.f_cos += coat.f_cos;
-        v.pdf += view.p_coat * coat.pdf;
+    if (m.coat > 0.0f || m.sheen_color != vec3(0.0f)) {
+        return gltf_under_layers(m, view, i, v);
     }
     return v;
 }
@@ -225,10 +241,15 @@ vec3 gltf_albedo(IN(BsdfParams) m, float cos_o) {
     }
     float c = abs(cos_o);
     GgxAlbedo e = ggx_albedo(c, mean_alpha(m));
-    vec3 f0 = gltf_effective_f0(m, gltf_dielectric_f0(m), m.specular, c);
-    vec3 metal_f0 = gltf_effective_f0(m, m.base_color, 1.0f, c);
+    vec3 f0 = gltf_dielectric_f0(m);
+    float max_f0 = max_component(f0);
+    vec3 metal_f0 = m.base_color;
+    if (m.iridescence > 0.0f) {
+        f0 = gltf_effective_f0(m, f0, m.specular, c);
+        metal_f0 = gltf_effective_f0(m, metal_f0, 1.0f, c);
+    }
     vec3 dielectric = ggx_albedo_fresnel(e, f0, vec3(m.specular));
-    dielectric += m.base_color * (1.0f - gltf_dielectric_albedo(m, c, e));
+    dielectric += m.base_color * gltf_dielectric_through(m, max_f0, c, e);
     vec3 metal = ggx_albedo_fresnel(e, metal_f0, vec3(1.0f));
     vec3 albedo = mix(dielectric, metal, m.metallic);
     vec3 outer = vec3(wo.x, 0.0f, c);
