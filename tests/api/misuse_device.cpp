@@ -38,9 +38,11 @@ void addSilentRows(Rows& rows) {
         return GP_SUCCESS;
     });
     add("gpCancelRender", "nothing is running", GP_SUCCESS, [](World& w) {
+        const GpFrameDesc size = {2, 2, GP_MODE_REFERENCE};
+        const GpFrame frame = gpNewFrame(w.device, &size);
         gpCancelRender(w.device);
         const GpRenderOptions two = fewSamples(2);  // the next render is not the one meant
-        return gpRender(w.frame, w.scene, nullptr, &two);
+        return gpRender(frame, w.scene, nullptr, &two);
     });
 }
 
