@@ -10,14 +10,24 @@
 
 struct RectangleLight {
     vec3 corner;
-    vec3 edge_x;      // both edges leave the corner, at right angles to each other;
-    vec3 edge_y;      // light leaves along cross(edge_x, edge_y)
+    vec3 edge_x;      // both edges leave the corner; light leaves along cross(edge_x, edge_y)
+    vec3 edge_y;
     vec3 radiance;
     uint two_sided;
 };
 
 bool rectangle_light_faces(IN(RectangleLight) l, vec3 p) {
     return l.two_sided != 0u || dot(p - l.corner, cross(l.edge_x, l.edge_y)) > 0.0f;
+}
+
+// Only true rectangles can be sampled by solid angle; other parallelograms are by area.
+bool rectangle_light_is_square(IN(RectangleLight) l) {
+    float c = dot(l.edge_x, l.edge_y);
+    return c * c <= 1.0e-8f * dot(l.edge_x, l.edge_x) * dot(l.edge_y, l.edge_y);
+}
+
+bool rectangle_light_by_solid_angle(IN(RectangleLight) l, IN(SphericalRectangle) r) {
+    return r.solid_angle > RECTANGLE_LIGHT_MIN_SOLID_ANGLE && rectangle_light_is_square(l);
 }
 
 // The density by area, at the point p + to_light of the rectangle.
@@ -35,8 +45,8 @@ float rectangle_light_pdf(IN(RectangleLight) l, vec3 p, vec3 to_light) {
         return 0.0f;
     }
     SphericalRectangle r = spherical_rectangle(l.corner, l.edge_x, l.edge_y, p);
-    return r.solid_angle > RECTANGLE_LIGHT_MIN_SOLID_ANGLE ? spherical_rectangle_pdf(r)
-                                                           : rectangle_light_area_pdf(l, to_light);
+    return rectangle_light_by_solid_angle(l, r) ? spherical_rectangle_pdf(r)
+                                                : rectangle_light_area_pdf(l, to_light);
 }
 
 LightSample rectangle_light_sample(IN(RectangleLight) l, vec3 p, vec2 u) {
@@ -46,7 +56,7 @@ LightSample rectangle_light_sample(IN(RectangleLight) l, vec3 p, vec2 u) {
     SphericalRectangle r = spherical_rectangle(l.corner, l.edge_x, l.edge_y, p);
     LightSample s = light_sample_none();
     vec3 to_light;
-    if (r.solid_angle > RECTANGLE_LIGHT_MIN_SOLID_ANGLE) {
+    if (rectangle_light_by_solid_angle(l, r)) {
         to_light = square_to_spherical_rectangle(r, u);
         s.pdf = spherical_rectangle_pdf(r);
     } else {
