@@ -111,7 +111,8 @@ private:
         if (translations.size() != count || rotations.size() != count || scales.size() != count)
             attributes.fail("the accessors have different counts");
         std::vector<glm::mat4> copies(count);
-        for (size_t i = 0; i < count; ++i) copies[i] = trs(translations[i], rotations[i], scales[i]);
+        for (size_t i = 0; i < count; ++i)
+            copies[i] = trs(translations[i], rotations[i], scales[i]);
         return copies;
     }
 

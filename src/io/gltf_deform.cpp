@@ -41,7 +41,8 @@ std::optional<Influences> readInfluences(Accessors& accessors, const Value& attr
     };
     requireCount(j, in.joints.size());
     requireCount(w, in.weights.size());
-    if (vertices > 0) accessors.requireFinite(&in.weights[0].x, vertices, 4, *weightAccessor, "weight");
+    if (vertices > 0)
+        accessors.requireFinite(&in.weights[0].x, vertices, 4, *weightAccessor, "weight");
     for (size_t v = 0; v < vertices; ++v)
         for (int c = 0; c < 4; ++c)
             if (in.weights[v][c] != 0 && in.joints[v][c] >= joints)

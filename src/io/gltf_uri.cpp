@@ -91,7 +91,8 @@ std::string resolveUri(const Value& value, const std::string& folder) {
     if (relative.find('\0') != std::string::npos || relative.find('\\') != std::string::npos)
         value.fail("a file name with a forbidden character");
     if (hasScheme(relative))
-        value.fail(shown + " is not a file beside this one; only relative paths and data: are read");
+        value.fail(shown +
+                   " is not a file beside this one; only relative paths and data: are read");
     const std::filesystem::path normal = std::filesystem::path(relative).lexically_normal();
     if (normal.is_absolute() || *normal.begin() == "..")
         value.fail(shown + " leaves the folder of this file; copy it there");

@@ -88,12 +88,14 @@ void checkFixedSize(Cursor& in, std::string_view name, std::string_view type, in
         std::string_view type;
         int32_t size;
     };
-    constexpr Fixed fixed[] = {
-        {"box2i", 16}, {"box2f", 16},   {"chromaticities", 32}, {"compression", 1}, {"double", 8},
-        {"envmap", 1}, {"float", 4},    {"int", 4},             {"keycode", 28},    {"lineOrder", 1},
-        {"m33f", 36},  {"m33d", 72},    {"m44f", 64},           {"m44d", 128},      {"rational", 8},
-        {"tiledesc", 9}, {"timecode", 8}, {"v2i", 8},           {"v2f", 8},         {"v2d", 16},
-        {"v3i", 12},   {"v3f", 12},     {"v3d", 24},            {"deepImageState", 1}};
+    constexpr Fixed fixed[] = {{"box2i", 16},      {"box2f", 16},   {"chromaticities", 32},
+                               {"compression", 1}, {"double", 8},   {"envmap", 1},
+                               {"float", 4},       {"int", 4},      {"keycode", 28},
+                               {"lineOrder", 1},   {"m33f", 36},    {"m33d", 72},
+                               {"m44f", 64},       {"m44d", 128},   {"rational", 8},
+                               {"tiledesc", 9},    {"timecode", 8}, {"v2i", 8},
+                               {"v2f", 8},         {"v2d", 16},     {"v3i", 12},
+                               {"v3f", 12},        {"v3d", 24},     {"deepImageState", 1}};
     for (const Fixed& f : fixed)
         if (f.type == type && f.size != size)
             in.source.fail("damaged EXR: attribute '" + std::string(name) + "' has a wrong size");

@@ -54,7 +54,8 @@ struct Mesh {
 struct MeshOptions {
     bool needsTangents = false;  // a normal map or anisotropy is there
     uint32_t tangentUv = 0;      // which uv set they follow
-    glm::mat3x2 uvTransform{1, 0, 0, 1, 0, 0};  // the normal map's; turns generated tangents with it
+    glm::mat3x2 uvTransform{1, 0, 0,
+                            1, 0, 0};  // the normal map's; turns generated tangents with it
 };
 
 // Checks nothing (callers have: finite positions, indices in range), generates what is missing,

@@ -69,7 +69,8 @@ struct Step {
 // Both sizes even, bytes: the common case, in integers.
 void halveRow8(const Step& s, uint32_t y, bool srgb) {
     const Tables& t = tables();
-    const uint8_t* a = reinterpret_cast<const uint8_t*>(s.from) + size_t(y) * 2 * s.source.width * 4;
+    const uint8_t* a =
+        reinterpret_cast<const uint8_t*>(s.from) + size_t(y) * 2 * s.source.width * 4;
     const uint8_t* b = a + size_t(s.source.width) * 4;
     uint8_t* out = reinterpret_cast<uint8_t*>(s.to) + size_t(y) * s.target.width * 4;
     const auto& light = t.light[srgb];

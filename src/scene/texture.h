@@ -45,7 +45,8 @@ struct TextureDesc {
 // Takes the pixels and builds the chain (box filter in linear light, down to 1x1).
 std::shared_ptr<const Texture> makeTexture(TextureDesc&& desc);
 
-// A texture as a material uses it: which set of coordinates, moved by uv' = uvTransform * (u, v, 1).
+// A texture as a material uses it: which set of coordinates, moved by uv' = uvTransform * (u, v,
+// 1).
 struct TextureUse {
     std::shared_ptr<const Texture> texture;  // null: none
     uint32_t texCoord = 0;                   // 0 or 1

@@ -101,7 +101,9 @@ TEST(Assets, SparsePositionsAreExact) {
     const Scene s = loadAsset("SimpleSparseAccessor/SimpleSparseAccessor.gltf");
     // Two rows of seven points; the sparse part lifts points 8, 10 and 12. (The file's own text.)
     const auto& p = s.instances[0]->mesh->positions;
-    const auto has = [&](glm::vec3 v) { return std::find(p.begin(), p.end() - 1, v) != p.end() - 1; };
+    const auto has = [&](glm::vec3 v) {
+        return std::find(p.begin(), p.end() - 1, v) != p.end() - 1;
+    };
     for (const glm::vec3 v : {glm::vec3(1, 2, 0), {3, 3, 0}, {5, 4, 0}, {0, 1, 0}, {6, 0, 0}})
         EXPECT_TRUE(has(v)) << v.x << " " << v.y;
     for (const glm::vec3 v : {glm::vec3(1, 1, 0), {3, 1, 0}, {5, 1, 0}}) EXPECT_FALSE(has(v));
@@ -180,7 +182,8 @@ TEST(Assets, TextureTransforms) {
     GP_REQUIRE_ASSETS();
     const Scene s = loadAsset("TextureTransformTest/TextureTransformTest.gltf");
     std::map<std::string, glm::mat3x2> m;
-    for (const auto& i : s.instances) m[i->surface().name] = i->surface().baseColorTexture.uvTransform;
+    for (const auto& i : s.instances)
+        m[i->surface().name] = i->surface().baseColorTexture.uvTransform;
     EXPECT_EQ(m.at("Offset UV"), glm::mat3x2(1, 0, 0, 1, 0.5f, 0.5f));
     EXPECT_EQ(m.at("Scale"), glm::mat3x2(1.5f, 0, 0, 1.5f, 0, 0));
     const float c = std::cos(0.39269908f), n = std::sin(0.39269908f);
@@ -228,7 +231,8 @@ TEST(Assets, GeneratedTangentsAgreeWithStoredOnes) {
             for (size_t i = 0; i < ours.size(); ++i, ++corners) {
                 const ShadingVertex& v = m.vertices[m.triangles[i / 3][int(i % 3)]];
                 signs += shading::tangent_decode_handedness(v.tangentOct) == ours[i].w;
-                close += glm::dot(shading::tangent_decode(v.tangentOct), glm::vec3(ours[i])) > 0.985f;
+                close +=
+                    glm::dot(shading::tangent_decode(v.tangentOct), glm::vec3(ours[i])) > 0.985f;
             }
         }
         EXPECT_GT(double(signs) / double(corners), 0.999);

@@ -11,9 +11,10 @@ GltfBuilder animated(const char* path, size_t (*output)(GltfBuilder&), const cha
     GltfBuilder b;
     b.addMesh(b.vec3s({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     const size_t times = b.floats({1, 3});
-    b.json["animations"] = {{{"name", "move"},
-                             {"samplers", {{{"input", times}, {"output", output(b)}, {"interpolation", kind}}}},
-                             {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}}}};
+    b.json["animations"] = {
+        {{"name", "move"},
+         {"samplers", {{{"input", times}, {"output", output(b)}, {"interpolation", kind}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}}}};
     return b;
 }
 
@@ -105,8 +106,9 @@ TEST(GltfMorph, WeightsOfMeshNodeAndAnimation) {
     b.json["nodes"][0]["weights"] = {0.25, 2};
     expectNear(worldVertex(*load(b).instances[0], 0), {2, 0, 0.25f});
     const size_t times = b.floats({0, 1}), weights = b.floats({0, 0, 1, 4});
-    b.json["animations"] = {{{"samplers", {{{"input", times}, {"output", weights}}}},
-                             {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
+    b.json["animations"] = {
+        {{"samplers", {{{"input", times}, {"output", weights}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
     const Scene s = loadAt(b, 0.5);
     expectNear(worldVertex(*s.instances[0], 0), {2, 0, 0.5f});
     EXPECT_EQ(s.instances[0]->mesh->kind, MeshKind::dynamic);

@@ -98,8 +98,8 @@ TEST(GltfErrors, UrisStayInTheFolder) {
         expectContains(uriError(uri), "leaves the folder of this file");
     expectContains(uriError("/etc/passwd"), "leaves the folder");
     expectContains(uriError("%2Fetc/passwd"), "leaves the folder");
-    for (const char* uri : {"http://example.com/x.bin", "HTTPS://x", "file:///etc/passwd", "C:/x.bin",
-                            "ftp:x"})
+    for (const char* uri :
+         {"http://example.com/x.bin", "HTTPS://x", "file:///etc/passwd", "C:/x.bin", "ftp:x"})
         expectContains(uriError(uri), "is not a file beside this one");
     expectContains(uriError("..\\x.bin"), "forbidden character");
     expectContains(uriError("..%5Cx.bin"), "forbidden character");
@@ -123,7 +123,8 @@ TEST(GltfErrors, BuffersAndViews) {
 }
 
 TEST(GltfErrors, Accessors) {
-    expectContains(errorWith("/accessors/0/count", 4), "accessors[0]: reaches beyond its bufferView");
+    expectContains(errorWith("/accessors/0/count", 4),
+                   "accessors[0]: reaches beyond its bufferView");
     expectContains(errorWith("/accessors/0/count", 4294967295u), "absurd");
     expectContains(errorWith("/accessors/0/count", 18446744073709551615ull), "absurd");
     expectContains(errorWith("/accessors/0/count", 357913942), "reaches beyond");  // * 12 overflows
@@ -139,9 +140,10 @@ TEST(GltfErrors, Accessors) {
     b.json["accessors"][0].erase("bufferView");
     b.json["accessors"][0]["count"] = 4000000000u;
     expectContains(errorOf(b), "elements and no bufferView");
-    const json sparse = {{"count", 1},
-                         {"indices", {{"bufferView", 1}, {"componentType", 5123}, {"byteOffset", 4}}},
-                         {"values", {{"bufferView", 0}}}};
+    const json sparse = {
+        {"count", 1},
+        {"indices", {{"bufferView", 1}, {"componentType", 5123}, {"byteOffset", 4}}},
+        {"values", {{"bufferView", 0}}}};
     EXPECT_EQ(errorWith("/accessors/0/sparse", sparse), "no error");  // index 2 of three
     json beyond = sparse;
     beyond["indices"]["componentType"] = 5125;
@@ -149,7 +151,8 @@ TEST(GltfErrors, Accessors) {
     beyond["indices"]["byteOffset"] = 0;
     expectContains(errorWith("/accessors/0/sparse", beyond), "element 65536 does not exist");
     beyond["count"] = 99;
-    expectContains(errorWith("/accessors/0/sparse", beyond), "replaces more elements than there are");
+    expectContains(errorWith("/accessors/0/sparse", beyond),
+                   "replaces more elements than there are");
 }
 
 TEST(GltfErrors, Vertices) {
@@ -189,7 +192,8 @@ TEST(GltfErrors, NodeGraph) {
                    "nodes[1]: is its own ancestor");
     expectContains(nodes({{{"children", {2}}}, {{"children", {2}}}, {{"mesh", 0}}}),
                    "nodes[2]: is a child of both nodes[0] and nodes[1]");
-    expectContains(nodes({{{"children", {1, 1}}}, {{"mesh", 0}}}), "child of both nodes[0] and nodes[0]");
+    expectContains(nodes({{{"children", {1, 1}}}, {{"mesh", 0}}}),
+                   "child of both nodes[0] and nodes[0]");
     expectContains(nodes({{{"children", {8}}}}), "nodes[0].children[0]: there is no nodes[8]");
     expectContains(nodes({{{"mesh", 4}}}), "nodes[0].mesh: there is no meshes[4]");
     expectContains(nodes({{{"scale", {1, 2}}}}), "nodes[0].scale: must have 3 numbers");
@@ -234,7 +238,8 @@ TEST(GltfErrors, SkinsAndAnimations) {
     expectContains(with("/animations/0/samplers/0/interpolation", "SMOOTH"), "'SMOOTH'");
     const json output = rich.json["animations"][0]["samplers"][2]["output"];
     expectContains(with("/animations/0/samplers/0/output", output), "must be VEC4 here");
-    expectContains(with("/animations/0/samplers/1/interpolation", "LINEAR"), "output numbers where 9");
+    expectContains(with("/animations/0/samplers/1/interpolation", "LINEAR"),
+                   "output numbers where 9");
     expectContains(with("/animations/0/channels/0/target/node", 50), "there is no nodes[50]");
     GltfBuilder order = rich;
     order.json["animations"][0]["samplers"][0]["input"] = order.floats({0, 2, 1});
@@ -256,8 +261,10 @@ TEST(GltfErrors, MaterialsImagesLightsCameras) {
     expectContains(with("/samplers/0/minFilter", 1), "unknown filter");
     expectContains(with("/materials/0/alphaMode", "FOG"), "unknown alphaMode 'FOG'");
     expectContains(with("/materials/0/pbrMetallicRoughness", 1), "must be an object");
-    expectContains(with("/images/0/uri", "../x.png"), "images[0].uri: '../x.png' leaves the folder");
-    expectContains(with("/images/0/uri", "data:,hello"), "images[0]: not an image that can be read");
+    expectContains(with("/images/0/uri", "../x.png"),
+                   "images[0].uri: '../x.png' leaves the folder");
+    expectContains(with("/images/0/uri", "data:,hello"),
+                   "images[0]: not an image that can be read");
     std::string cut = rich.json["images"][0]["uri"];
     cut.resize(cut.size() - 40);
     expectContains(with("/images/0/uri", cut), "images[0]: damaged PNG");
@@ -268,7 +275,8 @@ TEST(GltfErrors, MaterialsImagesLightsCameras) {
     expectContains(with("/cameras/0/type", "fish"), "unknown type of camera 'fish'");
     const char* light = "/extensions/KHR_lights_punctual/lights/0";
     expectContains(with(light, {{"type", "area"}}), "unknown type of light 'area'");
-    expectContains(with(light, {{"type", "spot"}, {"spot", {{"innerConeAngle", 1}}}}), "cone angles");
+    expectContains(with(light, {{"type", "spot"}, {"spot", {{"innerConeAngle", 1}}}}),
+                   "cone angles");
     expectContains(with("/nodes/1/extensions/KHR_lights_punctual/light", 3), "there is no light 3");
 }
 

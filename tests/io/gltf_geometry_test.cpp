@@ -23,7 +23,8 @@ glm::ivec4 colorOf(const void* data, size_t bytes, unsigned type, bool normalize
     std::vector<std::byte> three;
     const std::byte* first = static_cast<const std::byte*>(data);
     for (int i = 0; i < 3; ++i) three.insert(three.end(), first, first + bytes);
-    p["attributes"]["COLOR_0"] = b.accessor(three.data(), three.size(), 3, type, "VEC4", normalized);
+    p["attributes"]["COLOR_0"] =
+        b.accessor(three.data(), three.size(), 3, type, "VEC4", normalized);
     return load(b).instances[0]->mesh->colors[1];
 }
 
@@ -143,7 +144,8 @@ TEST(GltfNodes, TransformsCombine) {
     b.json["nodes"][0]["scale"] = {2, 3, 4};
     b.json["nodes"][0]["rotation"] = {0, 0, 0.70710678, 0.70710678};  // 90 degrees about Z
     b.json["nodes"][0]["translation"] = {10, 0, 0};
-    b.json["nodes"].push_back({{"children", {0}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 5, 6, 1}}});
+    b.json["nodes"].push_back(
+        {{"children", {0}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 5, 6, 1}}});
     b.json["scenes"][0]["nodes"] = {1};
     const Scene s = load(b);
     // (1,0,0) * 2 turned to +Y, moved by (10,0,0), then by the mirroring parent.
@@ -212,7 +214,8 @@ TEST(GltfContainer, GlbDataUriAndExternalAreTheSame) {
     std::filesystem::create_directories(inTemp("sub folder"));
     writeFile(inTemp("sub folder/data.bin"), b.binary);
     external.binary.clear();
-    external.json["buffers"] = {{{"byteLength", 36}, {"uri", "sub%20folder/../sub%20folder/data.bin"}}};
+    external.json["buffers"] = {
+        {{"byteLength", 36}, {"uri", "sub%20folder/../sub%20folder/data.bin"}}};
     const Scene outside = load(external);
     for (const Scene* s : {&binary, &outside})
         EXPECT_EQ(s->instances[0]->mesh->positions, inside.instances[0]->mesh->positions);

@@ -18,7 +18,8 @@ GltfBuilder withMaterial(const nlohmann::json& material) {
     const std::string png = "data:image/png;base64," + base64(samplePng(PngKind::rgba));
     b.json["images"] = {{{"uri", png}}, {{"uri", png}}};
     b.json["textures"] = {{{"source", 0}}, {{"source", 1}, {"sampler", 0}}};
-    b.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9729}}};
+    b.json["samplers"] = {
+        {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9729}}};
     return b;
 }
 
@@ -47,18 +48,19 @@ TEST(GltfMaterial, DefaultsAreThoseOfGltf) {
 }
 
 TEST(GltfMaterial, Core) {
-    const Material m = loaded({{"name", "paint"},
-                               {"pbrMetallicRoughness",
-                                {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}},
-                                 {"metallicFactor", 0.5},
-                                 {"roughnessFactor", 0.25},
-                                 {"baseColorTexture", {{"index", 0}}},
-                                 {"metallicRoughnessTexture", {{"index", 1}}}}},
-                               {"emissiveFactor", {1, 0.5, 0}},
-                               {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}},
-                               {"alphaMode", "MASK"},
-                               {"alphaCutoff", 0.3},
-                               {"doubleSided", true}});
+    const Material m =
+        loaded({{"name", "paint"},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}},
+                  {"metallicFactor", 0.5},
+                  {"roughnessFactor", 0.25},
+                  {"baseColorTexture", {{"index", 0}}},
+                  {"metallicRoughnessTexture", {{"index", 1}}}}},
+                {"emissiveFactor", {1, 0.5, 0}},
+                {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}},
+                {"alphaMode", "MASK"},
+                {"alphaCutoff", 0.3},
+                {"doubleSided", true}});
     EXPECT_EQ(m.name, "paint");
     EXPECT_EQ(m.baseColor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
     EXPECT_EQ(m.metallic, 0.5f);
@@ -101,7 +103,8 @@ TEST(GltfMaterial, Extensions) {
         "KHR_materials_sheen", {{"sheenColorFactor", {0, 1, 0}}, {"sheenRoughnessFactor", 0.6}}));
     EXPECT_EQ(sheen.sheenColor, glm::vec3(0, 1, 0));
     EXPECT_EQ(sheen.sheenRoughness, 0.6f);
-    const Material thin = loaded(extension("KHR_materials_transmission", {{"transmissionFactor", 0.9}}));
+    const Material thin =
+        loaded(extension("KHR_materials_transmission", {{"transmissionFactor", 0.9}}));
     EXPECT_EQ(thin.transmission, 0.9f);
     EXPECT_TRUE(thin.thinWalled);
     const Material solid = loaded(extension(
@@ -172,7 +175,7 @@ TEST(GltfLight, AllKinds) {
         {{"type", "directional"}, {"intensity", 683}, {"color", {1, 0.5, 0}}},
         {{"type", "point"}, {"intensity", 1366}, {"name", "lamp"}},
         {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.5}}}}};
-    for (int i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < 3; ++i) {
         b.json["nodes"].push_back({{"translation", {i, 2, 3}}, {"scale", {2, 2, 2}}});
         b.json["nodes"][i]["extensions"]["KHR_lights_punctual"]["light"] = i;
     }
@@ -198,7 +201,8 @@ TEST(GltfLight, AllKinds) {
 TEST(GltfCamera, BothKinds) {
     GltfBuilder b;
     b.json["cameras"] = {
-        {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"aspectRatio", 3}, {"znear", 1}}}},
+        {{"type", "perspective"},
+         {"perspective", {{"yfov", 0.7}, {"aspectRatio", 3}, {"znear", 1}}}},
         {{"type", "orthographic"}, {"name", "plan"}, {"orthographic", {{"xmag", 9}, {"ymag", 4}}}}};
     b.json["nodes"] = {{{"camera", 0}, {"name", "eye"}, {"translation", {1, 2, 3}}},
                        {{"camera", 1}, {"rotation", {-0.70710678, 0, 0, 0.70710678}}}};

@@ -188,7 +188,8 @@ TEST(Writers, FailureLeavesNothingBehind) {
 
 TEST(BadImages, NamedInOneLine) {
     EXPECT_EQ(errorOf({}), "some.file: the image file is empty");
-    EXPECT_NE(errorOf(bytesOf("GIF89a...")).find("not an image that can be read"), std::string::npos);
+    EXPECT_NE(errorOf(bytesOf("GIF89a...")).find("not an image that can be read"),
+              std::string::npos);
     try {
         loadImage(inTemp("missing.png"));
         FAIL();
@@ -221,8 +222,10 @@ TEST(BadImages, EveryTruncationIsAnError) {
 TEST(BadImages, SizeIsCheckedBeforeAllocation) {
     EXPECT_EQ(errorOf(samplePng(PngKind::rgba), 14),
               "some.file: the image is too large (5 x 3 pixels; the limit is 14 pixels)");
-    EXPECT_NE(errorOf(sampleJpeg(JpegKind::rgb), 100).find("16 x 8 pixels; the limit"), std::string::npos);
-    EXPECT_NE(errorOf(sampleExr(ExrKind::tiled), 10).find("4 x 3 pixels; the limit"), std::string::npos);
+    EXPECT_NE(errorOf(sampleJpeg(JpegKind::rgb), 100).find("16 x 8 pixels; the limit"),
+              std::string::npos);
+    EXPECT_NE(errorOf(sampleExr(ExrKind::tiled), 10).find("4 x 3 pixels; the limit"),
+              std::string::npos);
     EXPECT_NE(errorOf(sampleHdr(), 31).find("16 x 2 pixels; the limit"), std::string::npos);
     const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
     EXPECT_NE(errorOf(bytesOf(head + "-Y 99999999999 +X 99999999999\n")).find("too large"),

@@ -155,10 +155,11 @@ void addMaterial(GltfBuilder& b) {
         {{"bufferView", b.view(sampleJpeg(JpegKind::rgb))}, {"mimeType", "image/jpeg"}}};
     b.json["samplers"] = json::array({{{"wrapS", 33071}, {"magFilter", 9728}}});
     b.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}};
-    const json moved = {{"index", 1},
-                        {"extensions", {{"KHR_texture_transform",
-                                         {{"offset", {0.5, 0}}, {"rotation", 0.1}, {"scale", {2, 3}},
-                                          {"texCoord", 0}}}}}};
+    const json moved = {
+        {"index", 1},
+        {"extensions",
+         {{"KHR_texture_transform",
+           {{"offset", {0.5, 0}}, {"rotation", 0.1}, {"scale", {2, 3}}, {"texCoord", 0}}}}}};
     json m;
     m["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}, {"roughnessFactor", 0.4}};
     m["normalTexture"] = moved;
@@ -192,9 +193,11 @@ GltfBuilder richGltf() {
     b.json["extensions"]["KHR_lights_punctual"]["lights"] =
         json::array({{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}}}}});
     const size_t places = b.vec3s({{0, 0, 0}, {5, 0, 0}});
-    b.json["nodes"].push_back({{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1}},
-                               {"extensions", {{"EXT_mesh_gpu_instancing",
-                                                {{"attributes", {{"TRANSLATION", places}}}}}}}});
+    b.json["nodes"].push_back(
+        {{"mesh", 0},
+         {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1}},
+         {"extensions",
+          {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", places}}}}}}}});
     b.json["scenes"][0]["nodes"].push_back(3);
     return b;
 }

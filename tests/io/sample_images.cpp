@@ -137,7 +137,9 @@ Bytes samplePng(PngKind kind) {
     const bool palette = kind == PngKind::palette, gray = kind == PngKind::gray;
     const bool wide = kind == PngKind::wide;
     png_set_IHDR(png, info, 5, 3, wide ? 16 : 8,
-                 palette ? PNG_COLOR_TYPE_PALETTE : gray ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGBA,
+                 palette ? PNG_COLOR_TYPE_PALETTE
+                 : gray  ? PNG_COLOR_TYPE_GRAY
+                         : PNG_COLOR_TYPE_RGBA,
                  kind == PngKind::interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     // A gamma that must not change the values.
@@ -189,8 +191,9 @@ Bytes sampleJpeg(JpegKind kind) {
         if (channels == 3) row.insert(row.end(), {static_cast<unsigned char>(left ? 255 : 0),
                                                   static_cast<unsigned char>(left ? 0 : 255), 0});
         // Inverted inks, as Adobe's programs write them: 255 is no ink.
-        if (channels == 4) row.insert(row.end(), {static_cast<unsigned char>(left ? 255 : 0),
-                                                  static_cast<unsigned char>(left ? 0 : 255), 0, 255});
+        if (channels == 4)
+            row.insert(row.end(), {static_cast<unsigned char>(left ? 255 : 0),
+                                   static_cast<unsigned char>(left ? 0 : 255), 0, 255});
     }
     while (jpeg.next_scanline < 8) {
         unsigned char* p = row.data();
@@ -211,8 +214,12 @@ Bytes sampleExr(ExrKind kind) {
         case ExrKind::rgbaHalf: writePlanes<half>(out, Imf::HALF, whole, "", true, false); break;
         case ExrKind::rgbFloat: writePlanes<float>(out, Imf::FLOAT, whole, "", false, false); break;
         case ExrKind::tiled: writePlanes<half>(out, Imf::HALF, whole, "", true, true); break;
-        case ExrKind::uintRgb: writePlanes<unsigned>(out, Imf::UINT, whole, "", false, false); break;
-        case ExrKind::layer: writePlanes<half>(out, Imf::HALF, whole, "view.x.", true, false); break;
+        case ExrKind::uintRgb:
+            writePlanes<unsigned>(out, Imf::UINT, whole, "", false, false);
+            break;
+        case ExrKind::layer:
+            writePlanes<half>(out, Imf::HALF, whole, "view.x.", true, false);
+            break;
         case ExrKind::smallWindow:
             writePlanes<float>(out, Imf::FLOAT, Plane({{1, 1}, {2, 1}}), "", false, false);
             break;
@@ -227,7 +234,8 @@ Bytes sampleExr(ExrKind kind) {
 }
 
 Bytes sampleHdr() {
-    std::string s = "#?RADIANCE\n# made by a test\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 2 +X 16\n";
+    std::string s =
+        "#?RADIANCE\n# made by a test\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 2 +X 16\n";
     for (int y = 0; y < 2; ++y) {
         s += {2, 2, 0, 16};
         s += {char(128 + 16), char(64)};                          // R: one run

@@ -73,7 +73,8 @@ TEST(FillMesh, NormalsOfAnyLengthAndNone) {
 
 TEST(FillMesh, DegenerateTrianglesHarmNothing) {
     MeshData d;
-    d.positions = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {3e38f, 0, 0}, {-3e38f, 3e38f, 0}, {0, 0, 3e38f}};
+    d.positions = {{1, 1, 1},     {1, 1, 1},          {1, 1, 1},
+                   {3e38f, 0, 0}, {-3e38f, 3e38f, 0}, {0, 0, 3e38f}};
     const Mesh m = filled(d, true);
     for (uint32_t v = 0; v < 6; ++v) EXPECT_NEAR(glm::length(normalOf(m, v)), 1, 1e-3);
 }

@@ -68,14 +68,16 @@ void expectMeans(const Texture& t, bool srgb, double tolerance) {
         for (uint32_t y = 0; y < t.levels[level].height; ++y)
             for (uint32_t x = 0; x < t.levels[level].width; ++x)
                 for (size_t c = 0; c < 4; ++c)
-                    ASSERT_NEAR(value(t, level, x, y, c), areaMean(t, level, x, y, c, srgb), tolerance)
+                    ASSERT_NEAR(value(t, level, x, y, c), areaMean(t, level, x, y, c, srgb),
+                                tolerance)
                         << "level " << level << " at " << x << ", " << y << " channel " << c;
 }
 
 }  // namespace
 
 TEST(Mipmap, IsTheMeanInLinearLightForAnySize) {
-    constexpr uint32_t sizes[][2] = {{16, 16}, {64, 8}, {1, 16}, {17, 13}, {7, 1}, {30, 6}, {5, 12}};
+    constexpr uint32_t sizes[][2] = {{16, 16}, {64, 8}, {1, 16}, {17, 13},
+                                     {7, 1},   {30, 6}, {5, 12}};
     for (const auto& s : sizes) {
         SCOPED_TRACE(testing::Message() << s[0] << " x " << s[1]);
         const Image bytes = randomImage(s[0], s[1], PixelFormat::rgba8);
