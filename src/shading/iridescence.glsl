@@ -46,7 +46,9 @@ vec3 fresnel_iridescence(float outside_ior, float film_ior, float cos_o, float t
     float cos_film = sqrt(cos2_film);
     float r12 = fresnel_schlick(f0_from_ior(ior / outside_ior), 1.0f, cos_o);
     float t121 = 1.0f - r12;
-    vec3 base_ior = vec3(ior_from_f0(base_f0.x), ior_from_f0(base_f0.y), ior_from_f0(base_f0.z));
+    // The extension's own guard against an f0 of 1; it is felt in the fourth digit.
+    vec3 f0 = base_f0 + vec3(1.0e-4f);
+    vec3 base_ior = vec3(ior_from_f0(f0.x), ior_from_f0(f0.y), ior_from_f0(f0.z));
     vec3 r1 = vec3(f0_from_ior(base_ior.x / ior), f0_from_ior(base_ior.y / ior),
                    f0_from_ior(base_ior.z / ior));
     vec3 r23 = fresnel_schlick(r1, vec3(1.0f), cos_film);
