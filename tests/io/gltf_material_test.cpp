@@ -14,7 +14,7 @@ GltfBuilder withMaterial(const nlohmann::json& material) {
     nlohmann::json& p = b.addMesh(b.vec3s({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     p["attributes"]["TEXCOORD_0"] = b.vec2s({{0, 0}, {1, 0}, {0, 1}});
     p["material"] = 0;
-    b.json["materials"] = {material};
+    b.json["materials"] = nlohmann::json::array({material});
     const std::string png = "data:image/png;base64," + base64(samplePng(PngKind::rgba));
     b.json["images"] = {{{"uri", png}}, {{"uri", png}}};
     b.json["textures"] = {{{"source", 0}}, {{"source", 1}, {"sampler", 0}}};
