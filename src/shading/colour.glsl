@@ -76,10 +76,10 @@ vec3 tonemap_agx(vec3 c) {
     v = clamp(log2(max(v, vec3(1.0e-10f))), vec3(min_ev), vec3(max_ev));
     v = (v - vec3(min_ev)) / (max_ev - min_ev);
     v = vec3(agx_contrast(v.x), agx_contrast(v.y), agx_contrast(v.z));
-    vec3 display = vec3(dot(vec3(1.19687900512017f, -0.0980208811401368f, -0.0990297440797205f), v),
-                        dot(vec3(-0.0528968517574562f, 1.15190312990417f, -0.0989611768448433f), v),
-                        dot(vec3(-0.0529716355144438f, -0.0980434501171241f, 1.15107367264116f), v));
-    return pow(clamp(display, vec3(0.0f), vec3(1.0f)), vec3(2.2f));
+    vec3 d = vec3(dot(vec3(1.19687900512017f, -0.0980208811401368f, -0.0990297440797205f), v),
+                  dot(vec3(-0.0528968517574562f, 1.15190312990417f, -0.0989611768448433f), v),
+                  dot(vec3(-0.0529716355144438f, -0.0980434501171241f, 1.15107367264116f), v));
+    return pow(clamp(d, vec3(0.0f), vec3(1.0f)), vec3(2.2f));
 }
 
 #endif

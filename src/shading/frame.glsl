@@ -64,7 +64,9 @@ vec2 octahedral_from_direction(vec3 d) {
 vec3 direction_from_octahedral(vec2 p) {
     float z = 1.0f - abs(p.x) - abs(p.y);
     float fold = max(-z, 0.0f);
-    return normalize(vec3(p.x + (p.x >= 0.0f ? -fold : fold), p.y + (p.y >= 0.0f ? -fold : fold), z));
+    float x = p.x + (p.x >= 0.0f ? -fold : fold);
+    float y = p.y + (p.y >= 0.0f ? -fold : fold);
+    return normalize(vec3(x, y, z));
 }
 
 // Two's complement in the low bits, symmetric around zero: -1, 0 and 1 are kept exactly.
@@ -87,8 +89,9 @@ vec3 octahedral_decode(uint code) {
 // A tangent: 16 bits of x, 15 bits of y, and the sign of the bitangent in the highest bit.
 uint tangent_encode(vec3 t, float handedness) {
     vec2 p = octahedral_from_direction(t);
-    uint code = snorm_encode(p.x, 32767.0f, 0xFFFFu) | (snorm_encode(p.y, 16383.0f, 0x7FFFu) << 16u);
-    return code | (handedness < 0.0f ? 0x80000000u : 0u);
+    uint x = snorm_encode(p.x, 32767.0f, 0xFFFFu);
+    uint y = snorm_encode(p.y, 16383.0f, 0x7FFFu);
+    return x | (y << 16u) | (handedness < 0.0f ? 0x80000000u : 0u);
 }
 
 vec3 tangent_decode(uint code) {

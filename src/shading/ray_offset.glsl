@@ -1,9 +1,9 @@
-// The origin of a ray that leaves a surface, moved off it so that it does not meet the same surface.
+// The origin of a ray that leaves a surface, moved off it so that it does not meet that surface.
 #ifndef GP_SHADING_RAY_OFFSET_GLSL
 #define GP_SHADING_RAY_OFFSET_GLSL
 
-// One coordinate: by a fixed count of representable numbers, for the error of a hit point grows with
-// its coordinates; near zero, where such steps vanish, by a fixed length.
+// One coordinate: by a fixed count of representable numbers, for the error of a hit point grows
+// with its coordinates; near zero, where such steps vanish, by a fixed length.
 float offset_coordinate(float p, float n) {
     float near_zero = 1.0f / 32.0f;
     float length_step = 1.0f / 65536.0f;

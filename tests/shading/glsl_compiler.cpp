@@ -37,7 +37,8 @@ std::vector<uint32_t> compileCompute(const std::string& source, const std::strin
     std::ofstream(text, std::ios::binary) << source;
     const std::string command = shellQuoted(GP_GLSLANG) + " -V --target-env vulkan1.1 -I" +
                                 shellQuoted(std::string(GP_SOURCE_DIR) + "/src") + " -o " +
-                                shellQuoted(spirv) + " " + shellQuoted(text) + " > " + shellQuoted(messages) +
+                                shellQuoted(spirv) + " " + shellQuoted(text) + " > " +
+                                shellQuoted(messages) +
                                 " 2>&1";
     if (std::system(command.c_str()) != 0) {
         throw std::runtime_error(command + "\n" + readAll(messages));

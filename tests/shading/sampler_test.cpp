@@ -213,7 +213,8 @@ double rmsError(uint samples, bool independent) {
 }
 
 TEST(Sampler, ConvergesFasterThanIndependentSamples) {
-    // Owen scrambling makes a smooth integrand's error fall like N^-1.5, independent samples N^-0.5.
+    // Owen scrambling makes a smooth integrand's error fall like N^-1.5, where independent samples
+    // give N^-0.5.
     const double coarse = rmsError(64, false);
     const double fine = rmsError(1024, false);
     EXPECT_LT(fine, coarse / std::pow(16.0, 1.2));

@@ -7,8 +7,8 @@
 #define GP_SHADING_LIGHT_TREE_GLSL
 #include "shading/constants.glsl"
 
-// A node bounds its lights' positions by a box, their normals by a cone of half angle theta_o around
-// w, and what each emits by theta_e on every side of its normal.
+// A node bounds its lights' positions by a box, their normals by a cone of half angle theta_o
+// around w, and what each emits by theta_e on every side of its normal.
 struct LightNode {
     vec3 lo;
     float phi;          // power, W
@@ -41,7 +41,7 @@ float light_node_importance(IN(LightNode) n, vec3 p, vec3 ng, uint transmissive)
     float true_d2 = dot(to_node, to_node);
     // Nearer than its radius, a node's distance says nothing about that of its lights.
     float d2 = max(max(true_d2, radius2), 1.0e-20f);
-    // theta_b: how far a light's direction may be from the centre's. Inside of the sphere: anywhere.
+    // theta_b: how far a light's direction may be from the centre's; inside of the sphere anywhere.
     float cos_b = true_d2 > radius2 ? sqrt(max(0.0f, 1.0f - radius2 / true_d2)) : -1.0f;
     vec3 wi = true_d2 > 0.0f ? to_node * inversesqrt(true_d2) : vec3(0.0f, 0.0f, 1.0f);
 
