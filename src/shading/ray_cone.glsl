@@ -20,8 +20,9 @@ RayCone ray_cone_propagate(IN(RayCone) cone, float distance) {
 
 // A bounce off a rough surface widens the cone by the spread of its lobe. Its half vector has
 // slopes of standard deviation alpha / sqrt(2) (exactly so for Beckmann; the infinite variance of
-// GGX comes from a tail that texture filtering should not follow), a reflection turns by twice the angle of
-// the half vector, and a lobe counts from minus to plus one deviation. Variances add up.
+// GGX comes from a tail that texture filtering should not follow), a reflection turns by twice
+// the angle of the half vector, and a lobe counts from minus to plus one deviation. Variances add
+// up.
 RayCone ray_cone_bounce(IN(RayCone) cone, float alpha) {
     float lobe = 4.0f * atan(alpha * 0.70710678f);
     RayCone next;
@@ -41,10 +42,11 @@ float triangle_lod(float uv_area, float world_area) {
     return 0.5f * log2(max(uv_area, 1.0e-20f) / max(world_area, 1.0e-20f));
 }
 
-// The level of a texture of `size` texels where the cone meets a surface under cos_theta; 0 or less
-// is the finest. We depart from the paper in one place: it divides the width by the cosine, which
-// gives the long axis of the footprint; we take the geometric mean of both axes, as the many
-// samples of a pixel average along the long one anyway and a blurred texture cannot be sharpened again.
+// The level of a texture of `size` texels where the cone meets a surface under cos_theta; 0 or
+// less is the finest. We depart from the paper in one place: it divides the width by the cosine,
+// which gives the long axis of the footprint; we take the geometric mean of both axes, as the
+// many samples of a pixel average along the long one anyway and a blurred texture cannot be
+// sharpened again.
 // [Akenine-Moller et al. 2019, Ray Tracing Gems, chapter 20, equation 34]
 float ray_cone_lod(IN(RayCone) cone, float triangle_lod_value, float cos_theta, vec2 size) {
     float width = max(abs(cone.width), 1.0e-20f);

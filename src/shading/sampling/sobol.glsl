@@ -1,6 +1,6 @@
 // The first two dimensions of the Sobol' sequence, a (0,2)-sequence, and hash-based scrambling as
-// Owen's. Numbers are kept with their bits reversed as long as possible: in that form the first dimension
-// is the index itself and scrambling is a hash in which bits act only upwards.
+// Owen's. Numbers are kept with their bits reversed as long as possible: in that form the first
+// dimension is the index itself and scrambling is a hash in which bits act only upwards.
 #ifndef GP_SHADING_SAMPLING_SOBOL_GLSL
 #define GP_SHADING_SAMPLING_SOBOL_GLSL
 #include "shading/constants.glsl"
