@@ -26,10 +26,7 @@ public:
         : backend_(backend), scene_(scene), plan_(plan), images_(images), cancel_(cancel), progress_(progress) {}
 
     RenderResult run() {
-        // Cancelled tiles leave pixels with different counts; the next sample is the least that is missing.
-        first_ = std::numeric_limits<uint32_t>::max();
-        for (const PixelSums& s : images_.sums) first_ = std::min(first_, s.samples);
-        if (images_.sums.empty()) first_ = 0;
+        first_ = samplesOfAll();
         const uint32_t begin = first_;
         uint32_t batch = 1;
         while (!result_.cancelled && !finished(first_ - begin)) {
@@ -46,13 +43,20 @@ public:
             batch = nextBatch(count, seconds);
         }
         result_.secondsRender = secondsSince(start_);
-        result_.samplesPerPixel = first_;
+        result_.samplesPerPixel = samplesOfAll();
         result_.noise = estimateNoise(images_);
         backend_.tonemap(plan_.exposureEv, plan_.tonemap, images_);
         return result_;
     }
 
 private:
+    // Cancelled tiles leave pixels with different counts: what all have, and the next sample that is missing.
+    uint32_t samplesOfAll() const {
+        uint32_t least = images_.sums.empty() ? 0 : std::numeric_limits<uint32_t>::max();
+        for (const PixelSums& s : images_.sums) least = std::min(least, s.samples);
+        return least;
+    }
+
     bool finished(uint32_t done) {
         if (done >= plan_.samplesPerPixel) return true;
         if (done == 0) return false;

@@ -104,9 +104,8 @@ LightChoice choose_from_tree(vec3 p, vec3 normal, float u, float pmf) {
     return choice;
 }
 
-LightChoice choose_light(vec3 p, vec3 normal, float u) {
+LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
     LET_REF(FrameConstants) f = load_frame();
-    LightGroups g = light_groups(p, normal);
     LightChoice choice;
     choice.light = NO_INDEX;
     choice.pmf = 0.0f;
@@ -135,16 +134,9 @@ LightChoice choose_light(vec3 p, vec3 normal, float u) {
     return g.tree > 0.0f ? choose_from_tree(p, normal, min(x / g.tree, ONE_MINUS_EPSILON), g.tree / sum) : choice;
 }
 
-// The probability of choosing the environment, or light `index`, from p.
-float light_choice_environment(vec3 p, vec3 normal) {
-    LightGroups g = light_groups(p, normal);
-    float sum = light_groups_sum(g);
-    return sum > 0.0f ? g.environment / sum : 0.0f;
-}
-
-float light_choice_pmf(vec3 p, vec3 normal, uint index) {
+// The probability of choosing light `index` from p.
+float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     LET_REF(FrameConstants) f = load_frame();
-    LightGroups g = light_groups(p, normal);
     float sum = light_groups_sum(g);
     if (!(sum > 0.0f)) { return 0.0f; }
     if (index < f.directional_lights) { return directional_importance(load_light(index), normal) / sum; }
@@ -204,17 +196,28 @@ TriangleLight triangle_light(IN(LightRecord) r) {
     return l;
 }
 
-// What an emissive triangle's texture makes of its radiance at one point.
+// What textures and coverage make of an emissive triangle's radiance at one point. Coverage counts because
+// a ray that the material sends meets the triangle only as often as that.
 vec3 triangle_emission(IN(LightRecord) r, vec3 barycentrics) {
     LET_REF(InstanceRecord) instance = load_instance(r.instance);
     LET_REF(MaterialRecord) m = load_material(instance.material);
-    if ((m.textures & SLOT_EMISSION) == 0u) { return r.emission; }
+    bool covers = (m.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u;
+    if ((m.textures & SLOT_EMISSION) == 0u && covers) { return r.emission; }
     TriangleCorners c = load_triangle(instance.geometry, r.primitive);
     Surface s;
     s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, barycentrics.y, barycentrics.z);
     s.uv1 = load_uv1(instance.geometry, r.primitive, barycentrics.y, barycentrics.z);
     s.lod = FINEST_LEVEL;
-    return r.emission * vec3(read_slot(m.emission_slot, s, 0.0f));
+    vec3 e = r.emission;
+    if ((m.textures & SLOT_EMISSION) != 0u) { e *= vec3(read_slot(m.emission_slot, s, 0.0f)); }
+    if (covers) { return e; }
+    float alpha = m.base_color.w;
+    if ((m.textures & SLOT_BASE_COLOR) != 0u) { alpha *= read_slot(m.base_color_slot, s, 0.0f).w; }
+    if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) {
+        alpha *= load_vertex_color(instance.geometry, r.primitive, barycentrics.y, barycentrics.z).w;
+    }
+    if ((m.flags & MATERIAL_ALPHA_MASK) != 0u) { return alpha >= m.alpha_cutoff ? e : vec3(0.0f); }
+    return e * alpha;
 }
 
 // One point of the chosen light, as seen from p.
@@ -224,7 +227,7 @@ LightSample sample_light(uint index, vec3 p, vec2 u) {
         LightSample s;
         s.wi = e.wi;
         s.distance = FLOAT_MAX;
-        s.radiance = environment_radiance(e.wi);
+        s.radiance = e.radiance;
         s.pdf = e.pdf;
         s.is_delta = 0u;
         return s;

@@ -1,14 +1,20 @@
 #include "scene/environment_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include <glm/gtc/packing.hpp>
 #include <tbb/parallel_for.h>
 
 #include "shading/shading.h"
 
 namespace gp {
 namespace {
+
+// 512 x 512 cells are 4 MB. Of an image twice as wide as high, a cell is then half as wide as high on
+// the sphere's equator.
+constexpr uint32_t maxSide = 512;
 
 std::vector<float> luminanceOf(const Image& image) {
     std::vector<float> luminance(size_t(image.width) * image.height);
@@ -18,66 +24,95 @@ std::vector<float> luminanceOf(const Image& image) {
     return luminance;
 }
 
-// Turns weights into a cumulative distribution of n + 1 values; returns their sum.
-double makeCdf(const double* weights, uint32_t n, float* cdf) {
-    double sum = 0;
-    for (uint32_t i = 0; i < n; ++i) sum += weights[i];
-    double running = 0;
-    cdf[0] = 0;
-    for (uint32_t i = 0; i < n; ++i) {
-        running += weights[i];
-        cdf[i + 1] = sum > 0 ? float(running / sum) : float(i + 1) / float(n);
-    }
-    cdf[n] = 1;
-    return sum;
+// [EXT_texture_shared_exponent, section 3.8.1, with glm's packing]
+void packTexels(const Image& image, EnvironmentTable& table) {
+    const float* p = image.floats();
+    const size_t n = size_t(image.width) * image.height;
+    float largest = 0;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t c = 0; c < 3; ++c) largest = std::max(largest, p[4 * i + c]);
+    constexpr float largestPacked = 65408;
+    table.texelScale = largest > largestPacked ? largest / largestPacked : 1.0f;
+    table.texels.resize(n);
+    tbb::parallel_for(0u, image.height, [&](uint32_t y) {
+        for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i)
+            table.texels[i] = glm::packF3x9_E1x5(
+                glm::max(glm::vec3(p[4 * i], p[4 * i + 1], p[4 * i + 2]), 0.0f) / table.texelScale);
+    });
 }
 
-// guide[i] is the last cell whose cumulative value is not above i / n.
-void makeGuide(const float* cdf, uint32_t n, uint16_t* guide) {
-    uint32_t cell = 0;
-    for (uint32_t i = 0; i < n; ++i) {
-        while (cell + 1 < n && cdf[cell + 1] <= float(i) / float(n)) ++cell;
-        guide[i] = uint16_t(cell);
+// Which pixels, out of n, bilinear reading brings into cell `c` of `side`; may run over both ends.
+struct Span { int first, last; };
+Span pixelsOf(uint32_t c, uint32_t side, uint32_t n) {
+    const double lo = double(c) * n / side - 0.5, hi = double(c + 1) * n / side - 0.5;
+    return {int(std::floor(lo)), int(std::ceil(hi))};
+}
+
+// The mean luminance of a cell's pixels times its share of the sphere.
+std::vector<double> cellWeights(const Image& image, const std::vector<float>& luminance, uint32_t side) {
+    std::vector<double> weights(size_t(side) * side);
+    const int w = int(image.width), h = int(image.height);
+    tbb::parallel_for(0u, side, [&](uint32_t y) {
+        const Span rows = pixelsOf(y, side, image.height);
+        const double solidAngle = std::cos(M_PI * y / side) - std::cos(M_PI * (y + 1) / side);
+        for (uint32_t x = 0; x < side; ++x) {
+            const Span columns = pixelsOf(x, side, image.width);
+            double sum = 0;
+            for (int py = rows.first; py <= rows.last; ++py)
+                for (int px = columns.first; px <= columns.last; ++px)
+                    sum += double(luminance[size_t(std::clamp(py, 0, h - 1)) * size_t(w) +
+                                            size_t((px + w) % w)]);
+            const int count = (rows.last - rows.first + 1) * (columns.last - columns.first + 1);
+            weights[shading::morton_from_cell({x, y})] = sum / count * solidAngle;
+        }
+    });
+    return weights;
+}
+
+// [Vose 1991, "A Linear Algorithm for Generating Random Numbers with a Given Distribution"]
+void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTable& table) {
+    const size_t n = weights.size();
+    std::vector<double> scaled(n);
+    std::vector<uint32_t> small, large;
+    table.cells.resize(n);
+    for (size_t i = 0; i < n; ++i) {
+        scaled[i] = weights[i] / sum * double(n);
+        table.cells[i] = {1.0f, uint32_t(i), float(scaled[i]), float(scaled[i])};
+        (scaled[i] < 1 ? small : large).push_back(uint32_t(i));
+    }
+    while (!small.empty() && !large.empty()) {
+        const uint32_t s = small.back(), l = large.back();
+        small.pop_back();
+        table.cells[s].keep = float(scaled[s]);
+        table.cells[s].alias = l;
+        table.cells[s].alias_pdf = table.cells[l].pdf;
+        scaled[l] -= 1 - scaled[s];
+        if (scaled[l] < 1) {
+            large.pop_back();
+            small.push_back(l);
+        }
     }
 }
 
 }  // namespace
 
 EnvironmentTable makeEnvironmentTable(const Image& image) {
-    const uint32_t w = image.width, h = image.height;
     const std::vector<float> luminance = luminanceOf(image);
     EnvironmentTable table;
-    table.rowCdf.resize(h + 1);
-    table.columnCdf.resize(size_t(h) * (w + 1));
-    table.rowGuide.resize(h);
-    table.columnGuide.resize(size_t(h) * w);
-    std::vector<double> rowWeights(h), rowLuminance(h);
-    tbb::parallel_for(0u, h, [&](uint32_t y) {
-        std::vector<double> weights(w);
-        double sum = 0;
-        for (uint32_t x = 0; x < w; ++x) {
-            float largest = 0;
-            for (uint32_t dy = 0; dy < 3; ++dy) {
-                const uint32_t ny = uint32_t(std::clamp(int(y + dy) - 1, 0, int(h) - 1));
-                for (uint32_t dx = 0; dx < 3; ++dx)
-                    largest = std::max(largest, luminance[size_t(ny) * w + (x + w + dx - 1) % w]);
-            }
-            weights[x] = largest;
-            sum += luminance[size_t(y) * w + x];
-        }
-        // The solid angle of a row's cells: the difference of cosines at its edges.
-        const double solidAngle = std::cos(M_PI * y / h) - std::cos(M_PI * (y + 1) / h);
-        float* cdf = &table.columnCdf[size_t(y) * (w + 1)];
-        rowWeights[y] = makeCdf(weights.data(), w, cdf) * solidAngle;
-        rowLuminance[y] = sum / w * solidAngle / 2;
-        makeGuide(cdf, w, &table.columnGuide[size_t(y) * w]);
-    });
-    const double sum = makeCdf(rowWeights.data(), h, table.rowCdf.data());
-    makeGuide(table.rowCdf.data(), h, table.rowGuide.data());
-    if (!(sum > 0)) return {};
-    for (double l : rowLuminance) table.meanLuminance += l;
-    table.width = w;
-    table.height = h;
+    for (uint32_t y = 0; y < image.height; ++y) {
+        double row = 0;
+        for (uint32_t x = 0; x < image.width; ++x) row += double(luminance[size_t(y) * image.width + x]);
+        // The share of the sphere that a row of pixels covers.
+        const double share = 0.5 * (std::cos(M_PI * y / image.height) - std::cos(M_PI * (y + 1) / image.height));
+        table.meanLuminance += row / image.width * share;
+    }
+    if (!(table.meanLuminance > 0)) return {};
+    table.side = std::min(maxSide, std::bit_ceil(std::max(image.width, image.height)));
+    const std::vector<double> weights = cellWeights(image, luminance, table.side);
+    double sum = 0;
+    for (double w : weights) sum += w;
+    makeAliases(weights, sum, table);
+    packTexels(image, table);
     return table;
 }
 

@@ -1,28 +1,33 @@
-// The table that directions of an environment image are chosen from, in proportion to luminance and
-// solid angle: first a row, then a column, by inverting cumulative sums.
+// What rays need of an environment image: its radiance in few bytes, and a table that directions are
+// chosen from in proportion to luminance and solid angle.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "scene/image.h"
+#include "shared/scene_structs.h"
 
 namespace gp {
 
-// Cells are the image's pixels. Radiance is read bilinearly, so a cell's weight is the largest of its
-// own and its neighbours' luminance: no direction with light has a density of zero.
 struct EnvironmentTable {
-    uint32_t width = 0, height = 0;
-    std::vector<float> rowCdf;           // height + 1 values from 0 to 1
-    std::vector<float> columnCdf;        // height rows of width + 1 values from 0 to 1
-    std::vector<uint16_t> rowGuide;      // entry i: where the search for u in [i, i+1)/height begins
-    std::vector<uint16_t> columnGuide;   // the same for each row
-    double meanLuminance = 0;            // over the sphere, W/(m^2 sr) as luminance
+    // The image, three mantissas of 9 bits and an exponent each: 4 bytes instead of 16, rounded to a
+    // part in 1,000 of a pixel's largest channel (Radiance files have a part in 256). Rays read it at
+    // random, and what counts is how much of it stays in the cache.
+    std::vector<uint32_t> texels;
+    float texelScale = 1;     // what they are multiplied with
 
-    bool empty() const { return width == 0; }
+    // side * side cells over the image's unit square, an alias table in Morton order. A cell's weight
+    // holds every pixel that bilinear reading brings into it, so none with light has density zero.
+    std::vector<shared::EnvironmentCell> cells;
+    uint32_t side = 0;        // a power of two; 0: the image is black
+
+    double meanLuminance = 0; // over the sphere, W/(m^2 sr) as luminance
+
+    bool empty() const { return side == 0; }
 };
 
-// `image` is rgba32f, at most 65535 pixels wide and high. A black image gives an empty table.
+// `image` is rgba32f.
 EnvironmentTable makeEnvironmentTable(const Image& image);
 
 }  // namespace gp

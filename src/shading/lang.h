@@ -5,9 +5,6 @@
 // the same file is compiled for several instruction sets, and a linker must never merge the copies.
 #pragma once
 
-#ifdef GP_ISA_NAMESPACE
-#define glm GP_ISA_NAMESPACE  // glm's own inline functions must not be merged across them either
-#endif
 #define GLM_FORCE_INLINE
 #include <glm/glm.hpp>
 

@@ -164,6 +164,15 @@ struct LightTreeNode {
     uint pad0;
 };
 
+// A cell of the table that environment directions are chosen from: an alias table whose cells lie over
+// the image's unit square in Morton order. Cell i itself is taken with probability `keep`, else `alias`.
+struct EnvironmentCell {
+    float keep;
+    uint alias;
+    float pdf;        // of this cell over the unit square
+    float alias_pdf;
+};
+
 // What a frame is, for every kernel: gp::FramePlan and the scene's constants.
 struct FrameConstants {
     uint width;
@@ -181,9 +190,7 @@ struct FrameConstants {
     vec3 environment_color;
     float environment_cos;     // of its rotation
     float environment_sin;
-    uint environment_width;    // of its sampling table; 0: uniform
-    uint environment_height;
-    uint pad0;
+    uint environment_cells;    // along each side of its sampling table; 0: uniform
 };
 
 #endif

@@ -10,8 +10,7 @@ layout(std430, binding = 3) readonly buffer LightBuffer { LightRecord lights[]; 
 layout(std430, binding = 4) readonly buffer LightTreeBuffer { LightTreeNode light_tree[]; };
 layout(std430, binding = 5) readonly buffer LightMapBuffer { uint light_of_triangle[]; };
 layout(std430, binding = 6) readonly buffer TriangleBuffer { TriangleCorners triangles[]; };
-layout(std430, binding = 7) readonly buffer EnvironmentBuffer { float environment_cdf[]; };
-layout(std430, binding = 8) readonly buffer GuideBuffer { uint environment_guide[]; };
+layout(std430, binding = 7) readonly buffer EnvironmentBuffer { EnvironmentCell environment_cells[]; };
 layout(std430, binding = 9) readonly buffer CornerBuffer { vec4 corner_extras[]; };
 layout(binding = 10) uniform sampler2D environment_image;
 layout(binding = 11) uniform sampler2DArray textures;
@@ -43,15 +42,7 @@ vec4 sample_texture(uint index, vec2 uv, float lod, float u_lod) {
 }
 
 vec3 load_environment(vec2 uv) { return vec3(textureLod(environment_image, uv, 0.0f)); }
-float load_environment_row_cdf(uint i) { return environment_cdf[i]; }
-float load_environment_column_cdf(uint row, uint i) {
-    return environment_cdf[frame_constants.environment_height + 1u +
-                           row * (frame_constants.environment_width + 1u) + i];
-}
-uint load_environment_row_guide(uint i) { return environment_guide[i]; }
-uint load_environment_column_guide(uint row, uint i) {
-    return environment_guide[frame_constants.environment_height + row * frame_constants.environment_width + i];
-}
+EnvironmentCell load_environment_cell(uint i) { return environment_cells[i]; }
 
 // [Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection"]
 Hit meet_triangle(Ray ray, uint i, Hit nearest) {

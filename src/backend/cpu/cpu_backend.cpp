@@ -82,7 +82,7 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.environment_power = view.environmentPower;
     f.environment_color = view.environmentColor;
     f.environment_cos = view.environmentCos, f.environment_sin = view.environmentSin;
-    f.environment_width = view.environment.width, f.environment_height = view.environment.height;
+    f.environment_cells = view.environment.side;
     return f;
 }
 

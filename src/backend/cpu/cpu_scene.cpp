@@ -313,9 +313,8 @@ void CpuScene::fillView(const Scene& scene) {
     const float mean = e.image ? float(environment_.meanLuminance) : 1.0f;
     view_.environmentPower = 3.14159265f * mean * shading::luminance(view_.environmentColor);
     if (!environment_.empty() && e.image)
-        view_.environment = {e.image->floats(), environment_.width, environment_.height,
-                             environment_.rowCdf.data(), environment_.columnCdf.data(),
-                             environment_.rowGuide.data(), environment_.columnGuide.data()};
+        view_.environment = {environment_.texels.data(), environment_.cells.data(), e.image->width,
+                             e.image->height, environment_.side, environment_.texelScale};
 }
 
 }  // namespace gp::cpu

@@ -32,15 +32,12 @@ struct GeometryView {
     const glm::u8vec4* colors;  // null: none
 };
 
-// Latitude-longitude radiance and the table that it is chosen from: rows by their sum, then columns,
-// each by an inverted cumulative distribution with a guide that shortens the search.
+// EnvironmentTable of scene/environment_table.h.
 struct EnvironmentView {
-    const float* pixels;        // rgba; null: uniform
-    uint32_t width, height;
-    const float* rowCdf;        // height + 1
-    const float* columnCdf;     // height * (width + 1)
-    const uint16_t* rowGuide;   // height
-    const uint16_t* columnGuide;  // height * width
+    const uint32_t* texels;     // null: uniform
+    const shared::EnvironmentCell* cells;
+    uint32_t width, height, side;
+    float texelScale;
 };
 
 struct SceneView {

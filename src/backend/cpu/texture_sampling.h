@@ -66,3 +66,9 @@ inline glm::vec4 sampleTexture(const TextureView& t, glm::vec2 uv, float lod, fl
     const glm::vec4 low = glm::mix(readTexel(t, pixels, w, x0, y1), readTexel(t, pixels, w, x1, y1), ax);
     return glm::mix(top, low, ay);
 }
+
+// Three mantissas of 9 bits, an exponent of 5. [EXT_texture_shared_exponent, section 3.8.1]
+inline glm::vec3 unpackRadiance(uint32_t v) {
+    const float scale = std::bit_cast<float>(((v >> 27) + (127 - 15 - 9)) << 23);
+    return scale * glm::vec3(float(int(v & 511)), float(int((v >> 9) & 511)), float(int((v >> 18) & 511)));
+}

@@ -4,21 +4,22 @@ constexpr uint32_t maxTilePixels = 64;
 
 // Adds one path to its pixel.
 inline void addSample(PixelSums& s, const PathSample& r) {
-    const vec3 color = r.emission + r.direct + r.indirect;
+    const PathGuides& g = r.guides;
+    const vec3 color = r.light.emission + r.light.direct + r.light.indirect;
     // A path whose numbers broke (0 * infinity in a hostile scene) counts as black, not as NaN.
     if (!(color.x + color.y + color.z < std::numeric_limits<float>::max())) {
         ++s.samples;
         return;
     }
-    s.color += vec4(color, r.coverage);
+    s.color += vec4(color, g.coverage);
     s.colorSquared += color * color;
-    s.emission += r.emission, s.direct += r.direct;
-    if (r.instance != 0) {
-        s.depth += r.depth, s.hits += 1;
-        s.albedo += r.albedo, s.normal += r.normal;
-        s.roughness += r.roughness, s.metallic += r.metallic;
+    s.emission += r.light.emission, s.direct += r.light.direct;
+    if (g.instance != 0) {
+        s.depth += g.depth, s.hits += 1;
+        s.albedo += g.albedo, s.normal += g.normal;
+        s.roughness += g.roughness, s.metallic += g.metallic;
     }
-    if (s.samples++ == 0) s.instance = r.instance;
+    if (s.samples++ == 0) s.instance = g.instance;
 }
 
 struct TilePixels {
@@ -41,7 +42,7 @@ inline void traceSample(Kernels& k, const TileJob& job, const CameraParams& came
     for (uint32_t i = 0; i < count; ++i) {
         k.pathSeed = t.alphaSeeds[i];
         PathSample r = k.trace_path(t.rays[i], t.hits[i], cone, t.draws[i]);
-        r.depth *= dot(t.rays[i].direction, camera.forward);
+        r.guides.depth *= dot(t.rays[i].direction, camera.forward);
         addSample(job.sums[size_t(t.pixels[i].y) * job.frame->width + t.pixels[i].x], r);
     }
 }
@@ -65,7 +66,9 @@ TileCounts traceTile(const TileJob& job) {
     uint32_t count = 0;
     for (uint32_t y = job.y0; y < job.y1; ++y)
         for (uint32_t x = job.x0; x < job.x1; ++x) t.pixels[count++] = uvec2(x, y);
-    for (uint32_t s = 0; s < job.sampleCount; ++s)
+    // A render that was cancelled left some tiles further than others.
+    const uint32_t held = job.sums[size_t(job.y0) * job.frame->width + job.x0].samples;
+    for (uint32_t s = held > job.firstSample ? held - job.firstSample : 0; s < job.sampleCount; ++s)
         traceSample(k, job, camera, t, count, job.firstSample + s);
     return k.counts;
 }

@@ -92,20 +92,13 @@ struct Kernels {
         const float fx = uv.x * float(w) - 0.5f, fy = uv.y * float(h) - 0.5f;
         const int ix = floorToInt(fx), iy = floorToInt(fy);
         const float ax = fx - float(ix), ay = fy - float(iy);
-        const auto texel = [&](int x, int y) {
-            const float* p = e.pixels + 4 * (size_t(wrapTexel(y, h, 1)) * size_t(w) + size_t(wrapTexel(x, w, 0)));
-            return vec3(p[0], p[1], p[2]);
-        };
-        return mix(mix(texel(ix, iy), texel(ix + 1, iy), ax), mix(texel(ix, iy + 1), texel(ix + 1, iy + 1), ax), ay);
+        const int x0 = wrapTexel(ix, w, 0), x1 = wrapTexel(ix + 1, w, 0);
+        const uint32_t* top = e.texels + size_t(wrapTexel(iy, h, 1)) * size_t(w);
+        const uint32_t* low = e.texels + size_t(wrapTexel(iy + 1, h, 1)) * size_t(w);
+        return e.texelScale * mix(mix(unpackRadiance(top[x0]), unpackRadiance(top[x1]), ax),
+                                  mix(unpackRadiance(low[x0]), unpackRadiance(low[x1]), ax), ay);
     }
-    float load_environment_row_cdf(uint i) { return view.environment.rowCdf[i]; }
-    uint load_environment_row_guide(uint i) { return view.environment.rowGuide[i]; }
-    float load_environment_column_cdf(uint row, uint i) {
-        return view.environment.columnCdf[size_t(row) * (view.environment.width + 1) + i];
-    }
-    uint load_environment_column_guide(uint row, uint i) {
-        return view.environment.columnGuide[size_t(row) * view.environment.width + i];
-    }
+    const EnvironmentCell& load_environment_cell(uint i) { return view.environment.cells[i]; }
 
     // Rays.
     Hit trace_closest(const Ray& ray);
@@ -125,6 +118,7 @@ struct Kernels {
 };
 
 using PathSample = Kernels::PathSample;
+using PathGuides = Kernels::PathGuides;
 
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"
