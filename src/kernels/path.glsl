@@ -226,7 +226,8 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         if (roulette || material.textures != 0u) { u_others = draw_at(draws, state.depth, DRAW_OTHERS); }
         vec3 wo = -ray.direction;
         cone = ray_cone_propagate(cone, hit.t);
-        Surface s = load_surface(hit, ray.direction, cone);
+        bool textured = material.textures != 0u || (material.flags & MATERIAL_NEEDS_UV) != 0u;
+        Surface s = load_surface(hit, ray.direction, cone, textured);
         ShadingPoint p = load_shading_point(material, s, wo, u_others.x, f.diffuse_shading != 0u);
         if (state.depth == 0u) { r.guides = guides_of(p, hit, wo); }
         if ((p.flags & MATERIAL_UNLIT) != 0u) {
@@ -249,7 +250,10 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         // The last surface's own ray would only weigh against the shadow ray: where that finds
         // infinitely far light well by itself, it is left out.
         bool last = state.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
-        vec2 u_choices = draw_at(draws, state.depth, DRAW_CHOICES);
+        vec2 u_choices = vec2(0.0f);
+        if (p.bsdf.model != MODEL_LAMBERT || f.only_environment == 0u) {
+            u_choices = draw_at(draws, state.depth, DRAW_CHOICES);
+        }
         if (!specular) {
             from.groups = light_groups(from.position, from.normal);
             vec2 u_light = draw_at(draws, state.depth, DRAW_LIGHT);

@@ -7,6 +7,8 @@
 #include "shading/sampling/pixel_filter.glsl"
 #include "shared/scene_structs.glsl"
 
+#define CAMERA_DRAWS 2u  // filter and lens; the path's own draws follow
+
 // A point of the pixel by its filter, a point of the lens. The filter is sampled, so that every path has
 // the same weight. [Ernst, Stamminger and Greiner 2006, "Filter Importance Sampling"]
 Ray camera_ray_of_pixel(IN(CameraParams) camera, uvec2 pixel, INOUT(Sampler) draws) {
@@ -14,7 +16,10 @@ Ray camera_ray_of_pixel(IN(CameraParams) camera, uvec2 pixel, INOUT(Sampler) dra
     vec2 offset = filter_sample(f.pixel_filter, f.pixel_filter_radius, sampler_next_2d(draws));
     vec2 film = vec2((float(pixel.x) + 0.5f + offset.x) / float(f.width),
                      (float(pixel.y) + 0.5f + offset.y) / float(f.height));
-    return camera_ray(camera, film, sampler_next_2d(draws));
+    vec2 u_lens = vec2(0.0f);
+    if (camera.lens_radius > 0.0f) { u_lens = sampler_next_2d(draws); }
+    draws.dimension = CAMERA_DRAWS;
+    return camera_ray(camera, film, u_lens);
 }
 
 #endif

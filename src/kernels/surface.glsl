@@ -51,8 +51,8 @@ vec3 bend_to_viewer(vec3 n, vec3 wo) {
     return c > 0.0f ? n : normalize(n + wo * (1.0e-3f - c));
 }
 
-// `cone` is the ray's cone at the hit.
-Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone) {
+// `cone` is the ray's cone at the hit. `textured`: someone will ask for texture coordinates and colours.
+Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool textured) {
     LET_REF(InstanceRecord) instance = load_instance(hit.instance);
     TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
     Surface s;
@@ -61,23 +61,27 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone) {
     vec3 e1 = transform_vector(instance, c.p1 - c.p0);
     vec3 e2 = transform_vector(instance, c.p2 - c.p0);
     vec3 ng = cross(e1, e2);
-    float twice_area = length(ng);
+    float twice_area = max(length(ng), 1.0e-30f);
     // A mirroring transform turns the winding; the front stays the front (glTF 2.0, 3.7.4).
-    s.ng = ng * ((instance.mirrored != 0u ? -1.0f : 1.0f) / max(twice_area, 1.0e-30f));
+    s.ng = ng * ((instance.mirrored != 0u ? -1.0f : 1.0f) / twice_area);
     s.front = dot(s.ng, direction) <= 0.0f ? 1u : 0u;
     vec3 n = transform_normal(instance, interpolate(octahedral_decode(c.normal0), octahedral_decode(c.normal1),
                                                     octahedral_decode(c.normal2), hit.u, hit.v));
-    float n_length = length(n);
-    n = n_length > 0.0f ? n / n_length : s.ng;
+    float n_squared = dot(n, n);
+    n = n_squared > 0.0f ? n * inversesqrt(n_squared) : s.ng;
     n = dot(n, s.ng) < 0.0f ? -n : n;
+    s.frame = frame_from_normal(n);
+    s.uv0 = vec2(0.0f);
+    s.uv1 = vec2(0.0f);
+    s.color = vec4(1.0f);
+    s.lod = 0.0f;
+    if (!textured) { return s; }
     // Tangents are needed by normal maps and anisotropy only; a code of zero says there are none.
     if (c.tangent0 != 0u) {
         vec3 t = transform_vector(instance, interpolate(tangent_decode(c.tangent0), tangent_decode(c.tangent1),
                                                         tangent_decode(c.tangent2), hit.u, hit.v));
         float handedness = tangent_decode_handedness(c.tangent0);
         s.frame = frame_from_normal_tangent(n, t, instance.mirrored != 0u ? -handedness : handedness);
-    } else {
-        s.frame = frame_from_normal(n);
     }
     s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, hit.u, hit.v);
     s.uv1 = load_uv1(instance.geometry, hit.primitive, hit.u, hit.v);

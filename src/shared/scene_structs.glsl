@@ -27,6 +27,7 @@ struct Hit {
 #define MATERIAL_VERTEX_COLOR 32u
 #define MATERIAL_ALPHA_MASK 128u
 #define MATERIAL_ALPHA_BLEND 256u
+#define MATERIAL_NEEDS_UV 512u   // vertex colours or tangents, although no texture is there
 #define MATERIAL_LAYERED 64u      // any of specular textures, coat, sheen, transmission, iridescence
 
 // Bits of MaterialRecord::textures: which slots hold a texture.
@@ -190,6 +191,7 @@ struct FrameConstants {
     vec3 environment_color;
     float environment_cos;     // of its rotation
     float environment_sin;
+    uint only_environment;     // 1: no other light is there to choose
     uint environment_cells;    // along each side of its sampling table; 0: uniform
 };
 

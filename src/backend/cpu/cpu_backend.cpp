@@ -79,6 +79,7 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.clamp_indirect = plan.clampIndirect;
     f.directional_lights = view.directionalLights;
     f.tree_nodes = view.lightTreeNodes;
+    f.only_environment = view.lightCount == 0;
     f.environment_power = view.environmentPower;
     f.environment_color = view.environmentColor;
     f.environment_cos = view.environmentCos, f.environment_sin = view.environmentSin;

@@ -190,6 +190,7 @@ static uint32_t materialFlags(const Material& m) {
     if (shading::luminance(m.emission) > 0) flags |= MATERIAL_EMISSIVE;
     if (m.alphaMode == AlphaMode::mask) flags |= MATERIAL_ALPHA_MASK;
     if (m.alphaMode == AlphaMode::blend) flags |= MATERIAL_ALPHA_BLEND;
+    if (m.anisotropy > 0) flags |= MATERIAL_NEEDS_UV;
     if (m.specularTexture.texture || m.specularColorTexture.texture || m.coat > 0 ||
         m.sheenColor != glm::vec3(0) || m.transmission > 0 || m.iridescence > 0)
         flags |= MATERIAL_LAYERED;
@@ -203,7 +204,7 @@ void CpuScene::fillMaterials(const Scene& scene) {
         const Material& m = instance->surface();
         if (!materialIndex_.try_emplace(&m, uint32_t(materials_.size())).second) {
             if (!instance->mesh->colors.empty())
-                materials_[materialIndex_[&m]].flags |= MATERIAL_VERTEX_COLOR;
+                materials_[materialIndex_[&m]].flags |= MATERIAL_VERTEX_COLOR | MATERIAL_NEEDS_UV;
             continue;
         }
         materialOwners_.push_back(instance->surfacePtr());
@@ -222,7 +223,7 @@ void CpuScene::fillMaterials(const Scene& scene) {
         r.iridescence_thickness_max_nm = m.iridescenceThicknessMaxNm;
         r.alpha_cutoff = m.alphaCutoff;
         r.flags = materialFlags(m);
-        if (!instance->mesh->colors.empty()) r.flags |= MATERIAL_VERTEX_COLOR;
+        if (!instance->mesh->colors.empty()) r.flags |= MATERIAL_VERTEX_COLOR | MATERIAL_NEEDS_UV;
         r.model = MODEL_GLTF;
         fillSlots(r, m);
         materials_.push_back(r);
