@@ -32,8 +32,8 @@ public:
     virtual ~Backend() = default;
     virtual std::string name() const = 0;  // for people
     virtual std::unique_ptr<BackendScene> newScene() = 0;
-    // The path pass: adds samples [first, first + count) to every pixel's sums. Tiles not begun when
-    // `cancel` turns true are left out.
+    // The path pass: adds samples [first, first + count) to every pixel's sums. Tiles not begun
+    // when `cancel` turns true are left out.
     virtual RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                                  uint32_t count, FrameImages& images,
                                  const std::atomic<bool>& cancel) = 0;

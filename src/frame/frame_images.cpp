@@ -25,7 +25,8 @@ glm::vec4 resolve(const PixelSums& s, FrameImage which) {
         case FrameImage::albedo: return {s.albedo * inv, 1};
         case FrameImage::normal: return {s.normal * inv, 0};
         case FrameImage::depth:
-            return glm::vec4(s.hits > 0 ? s.depth * invHits : std::numeric_limits<float>::infinity());
+            return glm::vec4(s.hits > 0 ? s.depth * invHits
+                                        : std::numeric_limits<float>::infinity());
         case FrameImage::emission: return {s.emission * inv, 1};
         case FrameImage::direct: return {s.direct * inv, 1};
         case FrameImage::indirect:
@@ -41,7 +42,8 @@ constexpr FrameImageInfo infos[] = {
 #define BYTES_rgba8 4
 #define BYTES_r32f 4
 #define BYTES_r32ui 4
-#define X(id, NAME, format, channels, meaning) {#id, FrameImageFormat::format, channels, BYTES_##format},
+#define X(id, NAME, format, channels, meaning) \
+    {#id, FrameImageFormat::format, channels, BYTES_##format},
 #include "shared/frame_images.def"
 #undef X
 };

@@ -13,17 +13,23 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Batches long enough that their borders cost nothing, short enough that a person who waits, or a limit,
-// is served within about a quarter of a second.
+// Batches long enough that their borders cost nothing, short enough that a person who waits, or a
+// limit, is served within about a quarter of a second.
 constexpr double batchSeconds = 0.25;
 // The estimate of the noise reads every pixel: it must not be what the time goes into.
 constexpr double noiseSeconds = 0.5;
 
 class RenderLoop {
 public:
-    RenderLoop(Backend& backend, const BackendScene& scene, const FramePlan& plan, FrameImages& images,
-               std::atomic<bool>& cancel, const std::function<bool(const RenderProgress&)>& progress)
-        : backend_(backend), scene_(scene), plan_(plan), images_(images), cancel_(cancel), progress_(progress) {}
+    RenderLoop(Backend& backend, const BackendScene& scene, const FramePlan& plan,
+               FrameImages& images, std::atomic<bool>& cancel,
+               const std::function<bool(const RenderProgress&)>& progress)
+        : backend_(backend),
+          scene_(scene),
+          plan_(plan),
+          images_(images),
+          cancel_(cancel),
+          progress_(progress) {}
 
     RenderResult run() {
         first_ = samplesOfAll();
@@ -33,7 +39,8 @@ public:
             const uint32_t left = plan_.samplesPerPixel - (first_ - begin);
             const uint32_t count = std::min(batch, left);
             const auto start = Clock::now();
-            const RayCounts rays = backend_.tracePaths(scene_, plan_, first_, count, images_, cancel_);
+            const RayCounts rays =
+                backend_.tracePaths(scene_, plan_, first_, count, images_, cancel_);
             const double seconds = secondsSince(start);
             result_.rays.camera += rays.camera, result_.rays.bounce += rays.bounce;
             result_.rays.shadow += rays.shadow;
@@ -50,7 +57,8 @@ public:
     }
 
 private:
-    // Cancelled tiles leave pixels with different counts: what all have, and the next sample that is missing.
+    // Cancelled tiles leave pixels with different counts: what all have, and the next sample that
+    // is missing.
     uint32_t samplesOfAll() const {
         uint32_t least = images_.sums.empty() ? 0 : std::numeric_limits<uint32_t>::max();
         for (const PixelSums& s : images_.sums) least = std::min(least, s.samples);
@@ -62,7 +70,9 @@ private:
         if (done == 0) return false;
         if (plan_.timeLimit > 0 && secondsSince(start_) >= plan_.timeLimit) return true;
         if (plan_.noiseTarget > 0 && done >= 4) {
-            updateNoise(plan_.samplesPerPixel == std::numeric_limits<uint32_t>::max() ? batchSeconds : noiseSeconds);
+            updateNoise(plan_.samplesPerPixel == std::numeric_limits<uint32_t>::max()
+                            ? batchSeconds
+                            : noiseSeconds);
             return noise_ >= 0 && noise_ <= plan_.noiseTarget;
         }
         return false;
@@ -95,7 +105,8 @@ private:
         if (plan_.timeLimit > 0) fraction = std::max(fraction, p.secondsElapsed / plan_.timeLimit);
         // The error falls with the square root of the samples.
         if (plan_.noiseTarget > 0 && noise_ > 0)
-            fraction = std::max(fraction, plan_.noiseTarget * plan_.noiseTarget / (noise_ * noise_));
+            fraction =
+                std::max(fraction, plan_.noiseTarget * plan_.noiseTarget / (noise_ * noise_));
         p.fraction = std::min(fraction, 1.0);
         if (p.fraction > 0) p.secondsRemaining = p.secondsElapsed * (1 - p.fraction) / p.fraction;
         return progress_(p);

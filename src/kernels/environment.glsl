@@ -25,8 +25,9 @@ struct EnvironmentSample {
     vec3 radiance;
 };
 
-// [Walker 1974, "New Fast Method for Generating Discrete Random Numbers"]: one look-up, whatever the size.
-// Nearby numbers u.x lead to nearby cells, so that stratified numbers stay stratified over the sphere.
+// [Walker 1974, "New Fast Method for Generating Discrete Random Numbers"]: one look-up, whatever
+// the size. Nearby numbers u.x lead to nearby cells, so that stratified numbers stay stratified
+// over the sphere.
 EnvironmentSample environment_sample(vec2 u) {
     LET_REF(FrameConstants) f = load_frame();
     EnvironmentSample s;
@@ -44,7 +45,8 @@ EnvironmentSample environment_sample(vec2 u) {
     bool keeps = rest < entry.keep;
     float stretched = keeps ? rest / entry.keep : (rest - entry.keep) / (1.0f - entry.keep);
     uvec2 cell = cell_from_morton(keeps ? index : entry.alias);
-    vec2 uv = vec2((float(cell.x) + min(stretched, ONE_MINUS_EPSILON)) / n, (float(cell.y) + u.y) / n);
+    vec2 uv =
+        vec2((float(cell.x) + min(stretched, ONE_MINUS_EPSILON)) / n, (float(cell.y) + u.y) / n);
     vec3 direction = environment_direction_from_uv(uv);
     s.wi = world_from_environment(f, direction);
     s.pdf = environment_pdf_from_uv_pdf(keeps ? entry.pdf : entry.alias_pdf, direction);

@@ -1,8 +1,8 @@
-// Which light a shadow ray goes to: the environment, a directional light, or one that the light tree
-// picks, in proportion to the irradiance that each may bring.
-// Based on: Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
-// Splitting", HPG; here without splitting, one light a choice.
-// Resources: load_frame, load_light, load_light_node, and those of surface.glsl for textured lights.
+// Which light a shadow ray goes to: the environment, a directional light, or one that the light
+// tree picks, in proportion to the irradiance that each may bring. Based on: Conty Estevez and
+// Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG; here without
+// splitting, one light a choice. Resources: load_frame, load_light, load_light_node, and those of
+// surface.glsl for textured lights.
 #ifndef GP_KERNELS_LIGHT_CHOICE_GLSL
 #define GP_KERNELS_LIGHT_CHOICE_GLSL
 #include "kernels/environment.glsl"
@@ -22,8 +22,8 @@ struct LightChoice {
     float pmf;  // 0: there is none
 };
 
-// Irradiance, as luminance, that each group may bring to a point. normal: of a surface that only reflects,
-// on the viewer's side; the zero vector where light counts from all around.
+// Irradiance, as luminance, that each group may bring to a point. normal: of a surface that only
+// reflects, on the viewer's side; the zero vector where light counts from all around.
 struct LightGroups {
     float environment;
     float directional;
@@ -68,7 +68,9 @@ LightGroups light_groups(vec3 p, vec3 normal) {
         float importance = light_tree_importance(0u, p, normal) * INV_PI;
         float others = g.environment + g.directional;
         // Bounds say little about what is hidden; no group that may matter is left to chance alone.
-        g.tree = others > 0.0f && importance > 0.0f ? clamp(importance, 0.25f * others, 8.0f * others) : importance;
+        g.tree = others > 0.0f && importance > 0.0f
+                     ? clamp(importance, 0.25f * others, 8.0f * others)
+                     : importance;
     }
     return g;
 }
@@ -131,7 +133,9 @@ LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
         return choice;  // rounding: no sample, once in millions
     }
     x -= g.directional;
-    return g.tree > 0.0f ? choose_from_tree(p, normal, min(x / g.tree, ONE_MINUS_EPSILON), g.tree / sum) : choice;
+    return g.tree > 0.0f
+               ? choose_from_tree(p, normal, min(x / g.tree, ONE_MINUS_EPSILON), g.tree / sum)
+               : choice;
 }
 
 // The probability of choosing light `index` from p.
@@ -139,7 +143,9 @@ float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     LET_REF(FrameConstants) f = load_frame();
     float sum = light_groups_sum(g);
     if (!(sum > 0.0f)) { return 0.0f; }
-    if (index < f.directional_lights) { return directional_importance(load_light(index), normal) / sum; }
+    if (index < f.directional_lights) {
+        return directional_importance(load_light(index), normal) / sum;
+    }
     float pmf = g.tree / sum;
     uint trail = load_light(index).trail;
     uint node = 0u;
@@ -196,8 +202,8 @@ TriangleLight triangle_light(IN(LightRecord) r) {
     return l;
 }
 
-// What textures and coverage make of an emissive triangle's radiance at one point. Coverage counts because
-// a ray that the material sends meets the triangle only as often as that.
+// What textures and coverage make of an emissive triangle's radiance at one point. Coverage counts
+// because a ray that the material sends meets the triangle only as often as that.
 vec3 triangle_emission(IN(LightRecord) r, vec3 barycentrics) {
     LET_REF(InstanceRecord) instance = load_instance(r.instance);
     LET_REF(MaterialRecord) m = load_material(instance.material);
@@ -214,7 +220,8 @@ vec3 triangle_emission(IN(LightRecord) r, vec3 barycentrics) {
     float alpha = m.base_color.w;
     if ((m.textures & SLOT_BASE_COLOR) != 0u) { alpha *= read_slot(m.base_color_slot, s, 0.0f).w; }
     if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) {
-        alpha *= load_vertex_color(instance.geometry, r.primitive, barycentrics.y, barycentrics.z).w;
+        alpha *=
+            load_vertex_color(instance.geometry, r.primitive, barycentrics.y, barycentrics.z).w;
     }
     if ((m.flags & MATERIAL_ALPHA_MASK) != 0u) { return alpha >= m.alpha_cutoff ? e : vec3(0.0f); }
     return e * alpha;
@@ -237,14 +244,15 @@ LightSample sample_light(uint index, vec3 p, vec2 u) {
     if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_sample(rectangle_light(r), p, u); }
     if (r.kind == LIGHT_TRIANGLE) {
         LightSample s = triangle_light_sample(triangle_light(r), p, u);
-        s.radiance = s.pdf > 0.0f ? triangle_emission(r, triangle_light_barycentrics(u)) : vec3(0.0f);
+        s.radiance =
+            s.pdf > 0.0f ? triangle_emission(r, triangle_light_barycentrics(u)) : vec3(0.0f);
         return s;
     }
     return sphere_light_sample(sphere_light(r), p, u);
 }
 
-// The density in solid angle with which sample_light leads from p to the point p + to_light of a light that
-// is not infinitely far.
+// The density in solid angle with which sample_light leads from p to the point p + to_light of a
+// light that is not infinitely far.
 float light_pdf(IN(LightRecord) r, vec3 p, vec3 to_light) {
     if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_pdf(rectangle_light(r), p, to_light); }
     if (r.kind == LIGHT_TRIANGLE) { return triangle_light_pdf(triangle_light(r), to_light); }

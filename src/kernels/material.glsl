@@ -33,9 +33,12 @@ vec3 read_normal(IN(TextureSlot) slot, IN(Surface) s, float scale, float u_lod) 
     return normalize(vec3(n.x * scale, n.y * scale, max(n.z, 1.0e-3f)));
 }
 
-// [KHR_materials_clearcoat, _specular, _sheen, _transmission, _iridescence: each factor times its channel]
+// [KHR_materials_clearcoat, _specular, _sheen, _transmission, _iridescence: each factor times its
+// channel]
 BsdfParams read_layers(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
-    if ((m.textures & SLOT_SPECULAR) != 0u) { b.specular *= read_slot(m.specular_slot, s, u_lod).w; }
+    if ((m.textures & SLOT_SPECULAR) != 0u) {
+        b.specular *= read_slot(m.specular_slot, s, u_lod).w;
+    }
     if ((m.textures & SLOT_SPECULAR_COLOR) != 0u) {
         b.specular_color *= vec3(read_slot(m.specular_color_slot, s, u_lod));
     }
@@ -63,7 +66,8 @@ BsdfParams read_layers(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, float 
     if ((m.textures & SLOT_IRIDESCENCE_THICKNESS) != 0u) {
         thickness = read_slot(m.iridescence_thickness_slot, s, u_lod).y;
     }
-    b.iridescence_thickness_nm = mix(m.iridescence_thickness_min_nm, m.iridescence_thickness_max_nm, thickness);
+    b.iridescence_thickness_nm =
+        mix(m.iridescence_thickness_min_nm, m.iridescence_thickness_max_nm, thickness);
     return b;
 }
 
@@ -75,7 +79,8 @@ ShadingPoint apply_anisotropy(ShadingPoint p, IN(MaterialRecord) m, IN(Surface) 
     if ((m.textures & SLOT_ANISOTROPY) != 0u) {
         vec4 texel = read_slot(m.anisotropy_slot, s, u_lod);
         vec2 d = vec2(texel.x * 2.0f - 1.0f, texel.y * 2.0f - 1.0f);
-        direction = vec2(d.x * direction.x - d.y * direction.y, d.x * direction.y + d.y * direction.x);
+        direction =
+            vec2(d.x * direction.x - d.y * direction.y, d.x * direction.y + d.y * direction.x);
         strength *= texel.z;
     }
     float l = length(direction);
@@ -126,12 +131,15 @@ vec3 read_emission(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
 
 vec3 read_base_color(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     vec3 base = vec3(m.base_color);
-    if ((m.textures & SLOT_BASE_COLOR) != 0u) { base *= vec3(read_slot(m.base_color_slot, s, u_lod)); }
+    if ((m.textures & SLOT_BASE_COLOR) != 0u) {
+        base *= vec3(read_slot(m.base_color_slot, s, u_lod));
+    }
     if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) { base *= vec3(s.color); }
     return base;
 }
 
-ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, float u_lod, bool diffuse) {
+ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, float u_lod,
+                                bool diffuse) {
     vec3 base = read_base_color(m, s, u_lod);
     vec3 emission = vec3(0.0f);
     if ((m.flags & MATERIAL_EMISSIVE) != 0u) { emission = read_emission(m, s, u_lod); }
@@ -176,10 +184,12 @@ ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, fl
     }
     vec3 coat_normal = s.frame.n;
     if ((m.textures & SLOT_COAT_NORMAL) != 0u) {
-        coat_normal = world_from_local(s.frame, read_normal(m.coat_normal_slot, s, m.coat_normal_scale, u_lod));
+        coat_normal = world_from_local(
+            s.frame, read_normal(m.coat_normal_slot, s, m.coat_normal_scale, u_lod));
     }
     if (m.anisotropy > 0.0f) { p = apply_anisotropy(p, m, s, u_lod); }
-    bool solid = (m.flags & (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE)) == (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE);
+    bool solid = (m.flags & (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE)) ==
+                 (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE);
     p.frame = face_viewer(s, p.frame, wo, solid);
     if (m.coat > 0.0f) {
         vec3 c = s.front == 0u && !solid ? -coat_normal : coat_normal;

@@ -1,7 +1,7 @@
-// The reference: one whole path through a pixel. At every surface one light is chosen for a shadow ray,
-// and one direction by the material; what both could have found is weighted between them.
-// Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8 to 10.
-// Resources: trace_closest, trace_visible, and those of the files included.
+// The reference: one whole path through a pixel. At every surface one light is chosen for a shadow
+// ray, and one direction by the material; what both could have found is weighted between them.
+// Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8
+// to 10. Resources: trace_closest, trace_visible, and those of the files included.
 #ifndef GP_KERNELS_PATH_GLSL
 #define GP_KERNELS_PATH_GLSL
 #include "kernels/environment.glsl"
@@ -53,7 +53,8 @@ struct PathState {
     uint depth;         // surfaces met so far
 };
 
-// Draws of one surface, in a fixed order: a path's dimensions do not depend on what was drawn before.
+// Draws of one surface, in a fixed order: a path's dimensions do not depend on what was drawn
+// before.
 #define DRAWS_PER_VERTEX 4u
 #define DRAW_CHOICES 0u    // light, lobe
 #define DRAW_LIGHT 1u
@@ -83,7 +84,8 @@ PathLight add_light(PathLight sum, vec3 light, uint depth) {
     return sum;
 }
 
-// Everything infinitely far that a ray meets, weighted against the shadow rays of the vertex it left.
+// Everything infinitely far that a ray meets, weighted against the shadow rays of the vertex it
+// left.
 vec3 sky_light(IN(PathVertex) from, vec3 direction) {
     LET_REF(FrameConstants) f = load_frame();
     vec3 light = vec3(0.0f);
@@ -91,7 +93,8 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
         EnvironmentValue e = environment_eval(direction);
         float w = 1.0f;
         if (from.pdf > 0.0f) {
-            w = mis_power(from.pdf, from.groups.environment / light_groups_sum(from.groups) * e.pdf);
+            w = mis_power(from.pdf,
+                          from.groups.environment / light_groups_sum(from.groups) * e.pdf);
         }
         light = e.radiance * w;
     }
@@ -109,7 +112,8 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
     return light;
 }
 
-// The weight of light that a ray found at light `index`, where its shadow rays could have found it too.
+// The weight of light that a ray found at light `index`, where its shadow rays could have found it
+// too.
 float found_light_weight(IN(PathVertex) from, uint index, vec3 direction, float t) {
     if (from.pdf == 0.0f || index == NO_INDEX) { return 1.0f; }
     LET_REF(LightRecord) record = load_light(index);
@@ -145,8 +149,8 @@ PathSample empty_path_sample() {
     return r;
 }
 
-// Whether light turning from wo to wi stays on the side of the surface that its shading normal says; a
-// normal map or smooth shading must not make light leak through, nor back.
+// Whether light turning from wo to wi stays on the side of the surface that its shading normal
+// says; a normal map or smooth shading must not make light leak through, nor back.
 bool sides_agree(IN(Surface) s, vec3 wo, vec3 wi, vec3 wo_local, vec3 wi_local) {
     bool reflected = (wi_local.z > 0.0f) == (wo_local.z > 0.0f);
     return reflected == ((dot(s.ng, wi) > 0.0f) == (dot(s.ng, wo) > 0.0f));
@@ -161,8 +165,9 @@ Ray ray_from(IN(Surface) s, vec3 direction, float t_max) {
     return ray;
 }
 
-// To the chosen point of a light. It is aimed anew from the moved origin: where the light is seen edge-on,
-// the old direction would meet it far before that point, and the light would shadow itself.
+// To the chosen point of a light. It is aimed anew from the moved origin: where the light is seen
+// edge-on, the old direction would meet it far before that point, and the light would shadow
+// itself.
 Ray shadow_ray(IN(Surface) s, IN(LightSample) light) {
     Ray ray = ray_from(s, light.wi, light.distance);
     if (light.distance < FLOAT_MAX) {
@@ -191,7 +196,8 @@ vec3 sample_direct(IN(Surface) s, IN(ShadingPoint) p, IN(PathVertex) at, vec3 wo
     return radiance * (w / density) * trace_visible(shadow_ray(s, light));
 }
 
-// `ray` and `hit`: the camera ray and what it met; `cone`: its cone; `draws`: at the path's first draw.
+// `ray` and `hit`: the camera ray and what it met; `cone`: its cone; `draws`: at the path's first
+// draw.
 PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
     LET_REF(FrameConstants) f = load_frame();
     PathSample r = empty_path_sample();
@@ -206,7 +212,8 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
 
     while (true) {
         if (hit.instance == HIT_NOTHING) {
-            r.light = add_light(r.light, state.throughput * sky_light(from, ray.direction), state.depth);
+            r.light =
+                add_light(r.light, state.throughput * sky_light(from, ray.direction), state.depth);
             break;
         }
         if (state.attenuation != vec3(0.0f)) {
@@ -223,7 +230,9 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
         bool roulette = f.russian_roulette != 0u && state.depth >= ROULETTE_DEPTH;
         vec2 u_others = vec2(0.0f);
-        if (roulette || material.textures != 0u) { u_others = draw_at(draws, state.depth, DRAW_OTHERS); }
+        if (roulette || material.textures != 0u) {
+            u_others = draw_at(draws, state.depth, DRAW_OTHERS);
+        }
         vec3 wo = -ray.direction;
         cone = ray_cone_propagate(cone, hit.t);
         bool textured = material.textures != 0u || (material.flags & MATERIAL_NEEDS_UV) != 0u;
@@ -249,7 +258,8 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         from.normal = transmissive ? vec3(0.0f) : dot(s.ng, wo) > 0.0f ? s.ng : -s.ng;
         // The last surface's own ray would only weigh against the shadow ray: where that finds
         // infinitely far light well by itself, it is left out.
-        bool last = state.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
+        bool last =
+            state.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
         vec2 u_choices = vec2(0.0f);
         if (p.bsdf.model != MODEL_LAMBERT || f.only_environment == 0u) {
             u_choices = draw_at(draws, state.depth, DRAW_CHOICES);
@@ -261,7 +271,8 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
             r.light = add_light(r.light, state.throughput * light, state.depth + 1u);
         }
         if (last && !specular) { break; }
-        BsdfSample b = bsdf_sample(p.bsdf, wo_local, u_choices.y, draw_at(draws, state.depth, DRAW_BSDF));
+        BsdfSample b =
+            bsdf_sample(p.bsdf, wo_local, u_choices.y, draw_at(draws, state.depth, DRAW_BSDF));
         if (!(b.pdf > 0.0f) || !(max_component(b.weight) > 0.0f)) { break; }
         vec3 wi = world_from_local(p.frame, b.wi);
         if (!sides_agree(s, wo, wi, wo_local, b.wi)) { break; }
@@ -276,7 +287,8 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         // Roulette: paths that carry little end early, the others make up for them.
         // [Arvo and Kirk 1990, "Particle Transport and Image Synthesis"]
         if (roulette) {
-            float survival = min(max_component(state.throughput) * state.eta_scale, ROULETTE_SURVIVAL);
+            float survival =
+                min(max_component(state.throughput) * state.eta_scale, ROULETTE_SURVIVAL);
             if (u_others.y >= survival) { break; }
             state.throughput /= survival;
         }

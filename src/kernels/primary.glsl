@@ -9,8 +9,8 @@
 
 #define CAMERA_DRAWS 2u  // filter and lens; the path's own draws follow
 
-// A point of the pixel by its filter, a point of the lens. The filter is sampled, so that every path has
-// the same weight. [Ernst, Stamminger and Greiner 2006, "Filter Importance Sampling"]
+// A point of the pixel by its filter, a point of the lens. The filter is sampled, so that every
+// path has the same weight. [Ernst, Stamminger and Greiner 2006, "Filter Importance Sampling"]
 Ray camera_ray_of_pixel(IN(CameraParams) camera, uvec2 pixel, INOUT(Sampler) draws) {
     LET_REF(FrameConstants) f = load_frame();
     vec2 offset = filter_sample(f.pixel_filter, f.pixel_filter_radius, sampler_next_2d(draws));

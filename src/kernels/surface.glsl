@@ -1,5 +1,5 @@
-// Where a ray met a triangle: position, frames, texture coordinates, the level of detail of textures.
-// Resources: load_instance, load_triangle, load_uv1, load_vertex_color.
+// Where a ray met a triangle: position, frames, texture coordinates, the level of detail of
+// textures. Resources: load_instance, load_triangle, load_uv1, load_vertex_color.
 #ifndef GP_KERNELS_SURFACE_GLSL
 #define GP_KERNELS_SURFACE_GLSL
 #include "shading/frame.glsl"
@@ -13,7 +13,7 @@ struct Surface {
     vec2 uv0;
     vec2 uv1;
     vec4 color;        // of the vertices
-    float lod;         // log2 of the texture area per pixel's footprint, before a texture's own size
+    float lod;  // log2 of the texture area per pixel's footprint, before a texture's own size
     uint material;
     uint front;        // 1: the ray came from the front
 };
@@ -51,7 +51,8 @@ vec3 bend_to_viewer(vec3 n, vec3 wo) {
     return c > 0.0f ? n : normalize(n + wo * (1.0e-3f - c));
 }
 
-// `cone` is the ray's cone at the hit. `textured`: someone will ask for texture coordinates and colours.
+// `cone` is the ray's cone at the hit. `textured`: someone will ask for texture coordinates and
+// colours.
 Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool textured) {
     LET_REF(InstanceRecord) instance = load_instance(hit.instance);
     TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
@@ -65,8 +66,9 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool texture
     // A mirroring transform turns the winding; the front stays the front (glTF 2.0, 3.7.4).
     s.ng = ng * ((instance.mirrored != 0u ? -1.0f : 1.0f) / twice_area);
     s.front = dot(s.ng, direction) <= 0.0f ? 1u : 0u;
-    vec3 n = transform_normal(instance, interpolate(octahedral_decode(c.normal0), octahedral_decode(c.normal1),
-                                                    octahedral_decode(c.normal2), hit.u, hit.v));
+    vec3 n = transform_normal(
+        instance, interpolate(octahedral_decode(c.normal0), octahedral_decode(c.normal1),
+                              octahedral_decode(c.normal2), hit.u, hit.v));
     float n_squared = dot(n, n);
     n = n_squared > 0.0f ? n * inversesqrt(n_squared) : s.ng;
     n = dot(n, s.ng) < 0.0f ? -n : n;
@@ -78,10 +80,12 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool texture
     if (!textured) { return s; }
     // Tangents are needed by normal maps and anisotropy only; a code of zero says there are none.
     if (c.tangent0 != 0u) {
-        vec3 t = transform_vector(instance, interpolate(tangent_decode(c.tangent0), tangent_decode(c.tangent1),
-                                                        tangent_decode(c.tangent2), hit.u, hit.v));
+        vec3 t = transform_vector(
+            instance, interpolate(tangent_decode(c.tangent0), tangent_decode(c.tangent1),
+                                  tangent_decode(c.tangent2), hit.u, hit.v));
         float handedness = tangent_decode_handedness(c.tangent0);
-        s.frame = frame_from_normal_tangent(n, t, instance.mirrored != 0u ? -handedness : handedness);
+        s.frame =
+            frame_from_normal_tangent(n, t, instance.mirrored != 0u ? -handedness : handedness);
     }
     s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, hit.u, hit.v);
     s.uv1 = load_uv1(instance.geometry, hit.primitive, hit.u, hit.v);
@@ -89,7 +93,8 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool texture
     vec2 d1 = c.uv1 - c.uv0;
     vec2 d2 = c.uv2 - c.uv0;
     float twice_uv_area = abs(d1.x * d2.y - d1.y * d2.x);
-    s.lod = ray_cone_lod(cone, triangle_lod(twice_uv_area, twice_area), dot(s.ng, direction), vec2(1.0f));
+    s.lod = ray_cone_lod(cone, triangle_lod(twice_uv_area, twice_area), dot(s.ng, direction),
+                         vec2(1.0f));
     return s;
 }
 

@@ -12,8 +12,8 @@
 namespace gp {
 namespace {
 
-// 512 x 512 cells are 4 MB. Of an image twice as wide as high, a cell is then half as wide as high on
-// the sphere's equator.
+// 512 x 512 cells are 4 MB. Of an image twice as wide as high, a cell is then half as wide as high
+// on the sphere's equator.
 constexpr uint32_t maxSide = 512;
 
 std::vector<float> luminanceOf(const Image& image) {
@@ -49,7 +49,8 @@ Span pixelsOf(uint32_t c, uint32_t side, uint32_t n) {
 }
 
 // The mean luminance of a cell's pixels times its share of the sphere.
-std::vector<double> cellWeights(const Image& image, const std::vector<float>& luminance, uint32_t side) {
+std::vector<double> cellWeights(const Image& image, const std::vector<float>& luminance,
+                                uint32_t side) {
     std::vector<double> weights(size_t(side) * side);
     const int w = int(image.width), h = int(image.height);
     tbb::parallel_for(0u, side, [&](uint32_t y) {
@@ -101,9 +102,11 @@ EnvironmentTable makeEnvironmentTable(const Image& image) {
     EnvironmentTable table;
     for (uint32_t y = 0; y < image.height; ++y) {
         double row = 0;
-        for (uint32_t x = 0; x < image.width; ++x) row += double(luminance[size_t(y) * image.width + x]);
+        for (uint32_t x = 0; x < image.width; ++x)
+            row += double(luminance[size_t(y) * image.width + x]);
         // The share of the sphere that a row of pixels covers.
-        const double share = 0.5 * (std::cos(M_PI * y / image.height) - std::cos(M_PI * (y + 1) / image.height));
+        const double share =
+            0.5 * (std::cos(M_PI * y / image.height) - std::cos(M_PI * (y + 1) / image.height));
         table.meanLuminance += row / image.width * share;
     }
     if (!(table.meanLuminance > 0)) return {};

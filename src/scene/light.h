@@ -36,7 +36,7 @@ struct Light {
 struct Environment {
     std::shared_ptr<const Image> image;  // rgba32f, radiance in W/(m^2 sr); null: constant `color`
     glm::vec3 color{0};                  // multiplies the image; alone: a uniform surrounding
-    float rotation = 0;                  // radians about world up, counter-clockwise seen from above
+    float rotation = 0;  // radians about world up, counter-clockwise seen from above
 };
 
 }  // namespace gp

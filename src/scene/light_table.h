@@ -13,7 +13,7 @@ struct LightTable {
     std::vector<shared::LightRecord> lights;    // directional ones first
     uint32_t directionalCount = 0;
     std::vector<shared::LightTreeNode> tree;    // over all others
-    std::vector<uint32_t> lightMap;             // instance -> offset in lightOfTriangle, or NO_INDEX
+    std::vector<uint32_t> lightMap;  // instance -> offset in lightOfTriangle, or NO_INDEX
     std::vector<uint32_t> lightOfTriangle;      // NO_INDEX: that triangle is dark
     uint64_t emissiveTriangles = 0;
 };

@@ -37,7 +37,8 @@ Cone unite(Cone a, Cone b) {
     if (!(length > 1e-6f)) return {a.axis, pi};  // opposite axes: no plane to turn in
     const glm::vec3 k = pivot / length;
     // Rodrigues' rotation; k is perpendicular to the axis.
-    return {glm::normalize(a.axis * std::cos(turn) + glm::cross(k, a.axis) * std::sin(turn)), theta};
+    return {glm::normalize(a.axis * std::cos(turn) + glm::cross(k, a.axis) * std::sin(turn)),
+            theta};
 }
 
 // Bounds of several lights.
@@ -69,7 +70,8 @@ struct Cluster {
         const float o = cone.theta;
         const float w = std::min(o + thetaE, 3.14159265f);
         const float orientation = 6.2831853f * (1 - std::cos(o)) +
-            1.5707963f * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
+                                  1.5707963f * (2 * w * std::sin(o) - std::cos(o - 2 * w) -
+                                                2 * o * std::sin(o) + std::cos(o));
         const glm::vec3 d = hi - lo;
         const float area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
         return phi * orientation * regularisation * area;
@@ -128,14 +130,17 @@ private:
         if (depth + uint32_t(std::bit_width(end - begin)) < maxDepth)
             for (int axis = 0; axis < 3; ++axis)
                 trySplits(begin, end, axis, lo[axis], extent, bestCost, bestEdge, bestAxis);
-        const auto first = bounds_.begin() + ptrdiff_t(begin), last = bounds_.begin() + ptrdiff_t(end);
+        const auto first = bounds_.begin() + ptrdiff_t(begin),
+                   last = bounds_.begin() + ptrdiff_t(end);
         if (bestAxis >= 0) {
             const auto middle = std::partition(first, last, [&](const LightBounds& b) {
                 return binOf(b, bestAxis, lo[bestAxis], extent[bestAxis]) < int(bestEdge);
             });
             if (middle != first && middle != last) return size_t(middle - bounds_.begin());
         }
-        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
+                         : extent.y >= extent.z                       ? 1
+                                                                      : 2;
         const auto middle = first + (last - first) / 2;
         std::nth_element(first, middle, last, [&](const LightBounds& a, const LightBounds& b) {
             return centre(a)[axis] < centre(b)[axis];

@@ -19,13 +19,15 @@ struct Instance {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Material> material;  // null: the mesh's own
-    // A negative determinant mirrors the object: its front stays its front, so the counter-clockwise
-    // rule is applied in object space, before the transform (glTF 2.0, 3.7.4).
+    // A negative determinant mirrors the object: its front stays its front, so the
+    // counter-clockwise rule is applied in object space, before the transform (glTF 2.0, 3.7.4).
     glm::mat4x3 worldFromObject{1};
     uint32_t visibility = visibleToCamera | visibleToBounce | visibleToShadow;
 
     const Material& surface() const { return material ? *material : *mesh->material; }
-    std::shared_ptr<const Material> surfacePtr() const { return material ? material : mesh->material; }
+    std::shared_ptr<const Material> surfacePtr() const {
+        return material ? material : mesh->material;
+    }
 };
 
 struct Scene {

@@ -28,7 +28,7 @@ struct Hit {
 #define MATERIAL_ALPHA_MASK 128u
 #define MATERIAL_ALPHA_BLEND 256u
 #define MATERIAL_NEEDS_UV 512u   // vertex colours or tangents, although no texture is there
-#define MATERIAL_LAYERED 64u      // any of specular textures, coat, sheen, transmission, iridescence
+#define MATERIAL_LAYERED 64u     // any of specular textures, coat, sheen, transmission, iridescence
 
 // Bits of MaterialRecord::textures: which slots hold a texture.
 #define SLOT_BASE_COLOR 1u
@@ -165,8 +165,9 @@ struct LightTreeNode {
     uint pad0;
 };
 
-// A cell of the table that environment directions are chosen from: an alias table whose cells lie over
-// the image's unit square in Morton order. Cell i itself is taken with probability `keep`, else `alias`.
+// A cell of the table that environment directions are chosen from: an alias table whose cells lie
+// over the image's unit square in Morton order. Cell i itself is taken with probability `keep`,
+// else `alias`.
 struct EnvironmentCell {
     float keep;
     uint alias;

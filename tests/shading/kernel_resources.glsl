@@ -1,5 +1,6 @@
-// The resource functions of src/kernels over plain buffers, enough for the GLSL compiler to check every
-// kernel. Rays go through all triangles: there is no acceleration structure in a compute shader here.
+// The resource functions of src/kernels over plain buffers, enough for the GLSL compiler to check
+// every kernel. Rays go through all triangles: there is no acceleration structure in a compute
+// shader here.
 #include "shared/scene_structs.glsl"
 #include "shading/camera.glsl"
 
@@ -10,7 +11,9 @@ layout(std430, binding = 3) readonly buffer LightBuffer { LightRecord lights[]; 
 layout(std430, binding = 4) readonly buffer LightTreeBuffer { LightTreeNode light_tree[]; };
 layout(std430, binding = 5) readonly buffer LightMapBuffer { uint light_of_triangle[]; };
 layout(std430, binding = 6) readonly buffer TriangleBuffer { TriangleCorners triangles[]; };
-layout(std430, binding = 7) readonly buffer EnvironmentBuffer { EnvironmentCell environment_cells[]; };
+layout(std430, binding = 7) readonly buffer EnvironmentBuffer {
+    EnvironmentCell environment_cells[];
+};
 layout(std430, binding = 9) readonly buffer CornerBuffer { vec4 corner_extras[]; };
 layout(binding = 10) uniform sampler2D environment_image;
 layout(binding = 11) uniform sampler2DArray textures;
@@ -20,7 +23,9 @@ InstanceRecord load_instance(uint i) { return instances[i]; }
 MaterialRecord load_material(uint i) { return materials[i]; }
 LightRecord load_light(uint i) { return lights[i]; }
 LightTreeNode load_light_node(uint i) { return light_tree[i]; }
-TriangleCorners load_triangle(uint geometry, uint primitive) { return triangles[geometry + primitive]; }
+TriangleCorners load_triangle(uint geometry, uint primitive) {
+    return triangles[geometry + primitive];
+}
 
 uint load_light_of_triangle(uint instance, uint primitive) {
     uint map = instances[instance].light_map;
@@ -30,7 +35,8 @@ uint load_light_of_triangle(uint instance, uint primitive) {
 // uv1 and colours lie beside the corners: four vectors a triangle.
 vec2 load_uv1(uint geometry, uint primitive, float u, float v) {
     uint i = 4u * (geometry + primitive);
-    vec4 mixed = corner_extras[i] * (1.0f - u - v) + corner_extras[i + 1u] * u + corner_extras[i + 2u] * v;
+    vec4 mixed =
+        corner_extras[i] * (1.0f - u - v) + corner_extras[i + 1u] * u + corner_extras[i + 2u] * v;
     return vec2(mixed.x, mixed.y);
 }
 vec4 load_vertex_color(uint geometry, uint primitive, float u, float v) {
@@ -73,7 +79,9 @@ Hit trace_closest(Ray ray) {
     nearest.v = 0.0f;
     nearest.instance = HIT_NOTHING;
     nearest.primitive = 0u;
-    for (uint i = 0u; i < uint(triangles.length()); ++i) { nearest = meet_triangle(ray, i, nearest); }
+    for (uint i = 0u; i < uint(triangles.length()); ++i) {
+        nearest = meet_triangle(ray, i, nearest);
+    }
     return nearest;
 }
 

@@ -31,8 +31,9 @@ std::vector<InstructionSet> instructionSets() {
     __builtin_cpu_init();
     const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                       __builtin_cpu_supports("bmi2");
-    const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+    const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512vl");
     return {{&kernelsAvx512, "avx512", avx512}, {&kernelsAvx2, "avx2", avx2},
             {&kernelsX86_64, "sse2", true}};
 }
@@ -91,7 +92,8 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
 
 CpuBackend::CpuBackend(const BackendOptions& options)
     : kernels_(*chooseInstructionSet(options.instructionSet).kernels),
-      threads_(options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
+      threads_(options.threads ? options.threads
+                               : std::max(1u, std::thread::hardware_concurrency())),
       arena_(int(threads_)) {
     const InstructionSet set = chooseInstructionSet(options.instructionSet);
     const std::string config = options.instructionSet.empty()
@@ -106,8 +108,9 @@ CpuBackend::CpuBackend(const BackendOptions& options)
 
 std::string CpuBackend::name() const {
     const long version = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_VERSION);
-    return fmt::format("CPU (Embree {}.{}.{}, {}, {} thread{})", version / 10000, version / 100 % 100,
-                       version % 100, kernels_.name, threads_, threads_ == 1 ? "" : "s");
+    return fmt::format("CPU (Embree {}.{}.{}, {}, {} thread{})", version / 10000,
+                       version / 100 % 100, version % 100, kernels_.name, threads_,
+                       threads_ == 1 ? "" : "s");
 }
 
 std::unique_ptr<BackendScene> CpuBackend::newScene() {
@@ -115,7 +118,8 @@ std::unique_ptr<BackendScene> CpuBackend::newScene() {
 }
 
 RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
-                                 uint32_t count, FrameImages& images, const std::atomic<bool>& cancel) {
+                                 uint32_t count, FrameImages& images,
+                                 const std::atomic<bool>& cancel) {
     const SceneView& view = static_cast<const CpuScene&>(scene).view();
     const shared::FrameConstants frame = frameConstants(view, plan);
     const uint32_t tilesX = (plan.width + tileSize - 1) / tileSize;
@@ -126,9 +130,11 @@ RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& pla
             if (cancel.load(std::memory_order_relaxed)) return;
             const DenormalsOff denormalsOff;
             TileJob job{};
-            job.scene = &view, job.frame = &frame, job.camera = &plan.camera, job.sums = images.sums.data();
+            job.scene = &view, job.frame = &frame, job.camera = &plan.camera,
+            job.sums = images.sums.data();
             job.x0 = tile % tilesX * tileSize, job.y0 = tile / tilesX * tileSize;
-            job.x1 = std::min(job.x0 + tileSize, plan.width), job.y1 = std::min(job.y0 + tileSize, plan.height);
+            job.x1 = std::min(job.x0 + tileSize, plan.width),
+            job.y1 = std::min(job.y0 + tileSize, plan.height);
             job.firstSample = first, job.sampleCount = count;
             job.recorder = recorder_;
             const TileCounts c = kernels_.traceTile(job);
@@ -147,7 +153,8 @@ void CpuBackend::tonemap(float exposureEv, Tonemap tonemap, FrameImages& images)
     arena_.execute([&] {
         tbb::parallel_for(size_t(0), (images.pixelCount() + run - 1) / run, [&](size_t i) {
             const size_t begin = i * run, n = std::min(run, images.pixelCount() - begin);
-            kernels_.tonemap(&images.sums[begin], &images.display[begin], n, exposureEv, uint32_t(tonemap));
+            kernels_.tonemap(&images.sums[begin], &images.display[begin], n, exposureEv,
+                             uint32_t(tonemap));
         });
     });
 }

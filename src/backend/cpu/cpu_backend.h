@@ -12,8 +12,9 @@ public:
 
     std::string name() const override;
     std::unique_ptr<BackendScene> newScene() override;
-    RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first, uint32_t count,
-                         FrameImages& images, const std::atomic<bool>& cancel) override;
+    RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
+                         uint32_t count, FrameImages& images,
+                         const std::atomic<bool>& cancel) override;
     void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;
 
     // For the benchmark: rays are noted here as they are traced; one thread only. Null: no more.

@@ -89,7 +89,8 @@ void CpuScene::buildMesh(MeshStructure& s, bool refit) {
     const RTCBuildQuality quality = !dynamic ? RTC_BUILD_QUALITY_HIGH
         : refit ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_LOW;
     // Static scenes are built whole, so the scene's quality counts; dynamic ones by geometry.
-    rtcSetSceneBuildQuality(s.scene.get(), dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(s.scene.get(),
+                            dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
     rtcSetGeometryBuildQuality(s.geometry, quality);
     attachBuffers(s);
     if (s.filtered) {
@@ -113,7 +114,8 @@ void CpuScene::fillInstances(const Scene& scene) {
         const MeshStructure& s = meshes_.at(source.mesh.get());
         InstanceRecord& r = instances_[i];
         // Columns of the cofactor matrix: cross products of the columns of the linear part.
-        const glm::vec3 cx = glm::cross(m[1], m[2]), cy = glm::cross(m[2], m[0]), cz = glm::cross(m[0], m[1]);
+        const glm::vec3 cx = glm::cross(m[1], m[2]), cy = glm::cross(m[2], m[0]),
+                        cz = glm::cross(m[0], m[1]);
         const float sign = glm::dot(m[0], cx) < 0 ? -1.0f : 1.0f;
         for (int row = 0; row < 3; ++row) {
             r.world_from_object[row] = {m[0][row], m[1][row], m[2][row], m[3][row]};
@@ -140,7 +142,8 @@ void CpuScene::fillInstances(const Scene& scene) {
 
 void CpuScene::fillSlot(MaterialRecord& r, TextureSlot& slot, uint32_t bit, const TextureUse& use) {
     if (!use.texture) return;
-    const auto [it, fresh] = textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
+    const auto [it, fresh] =
+        textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
     if (fresh) {
         const Texture& t = *use.texture;
         TextureView v{};
@@ -152,7 +155,8 @@ void CpuScene::fillSlot(MaterialRecord& r, TextureSlot& slot, uint32_t bit, cons
         v.halfLog2Texels = 0.5f * std::log2(float(v.width) * float(v.height));
         v.isFloat = t.format == PixelFormat::rgba32f, v.isSrgb = t.colorSpace == ColorSpace::srgb;
         v.wrapU = uint8_t(t.wrapU), v.wrapV = uint8_t(t.wrapV);
-        v.magNearest = t.magFilter == Filter::nearest, v.minNearest = t.minFilter == Filter::nearest;
+        v.magNearest = t.magFilter == Filter::nearest,
+        v.minNearest = t.minFilter == Filter::nearest;
         textures_.push_back(v);
     }
     r.textures |= bit;
@@ -178,7 +182,8 @@ void CpuScene::fillSlots(MaterialRecord& r, const Material& m) {
     fillSlot(r, r.transmission_slot, SLOT_TRANSMISSION, m.transmissionTexture);
     fillSlot(r, r.anisotropy_slot, SLOT_ANISOTROPY, m.anisotropyTexture);
     fillSlot(r, r.iridescence_slot, SLOT_IRIDESCENCE, m.iridescenceTexture);
-    fillSlot(r, r.iridescence_thickness_slot, SLOT_IRIDESCENCE_THICKNESS, m.iridescenceThicknessTexture);
+    fillSlot(r, r.iridescence_thickness_slot, SLOT_IRIDESCENCE_THICKNESS,
+             m.iridescenceThicknessTexture);
 }
 
 static uint32_t materialFlags(const Material& m) {
@@ -232,19 +237,21 @@ void CpuScene::fillMaterials(const Scene& scene) {
 
 // ------------------------------------------------------------------------------- lights
 
-// Sphere and rectangle lights are shapes that rays meet: four geometries after the instances, those that
-// the camera sees and those that it does not.
+// Sphere and rectangle lights are shapes that rays meet: four geometries after the instances, those
+// that the camera sees and those that it does not.
 void CpuScene::attachLights(const Scene& scene) {
     std::vector<glm::vec4> spheres[2];
     std::vector<glm::vec3> corners[2];
     for (auto& table : lightOfPrimitive_) table.clear();
     uint32_t index = lights_.directionalCount;
     for (const auto& light : scene.lights) {
-        if (light->kind == LightKind::directional || !(shading::luminance(light->emission) > 0)) continue;
+        if (light->kind == LightKind::directional || !(shading::luminance(light->emission) > 0))
+            continue;
         const int hidden = light->visible ? 0 : 1;
         if (light->kind == LightKind::rectangle) {
             const glm::vec3 p = light->position, u = light->edgeU, v = light->edgeV;
-            for (glm::vec3 corner : {p, p + u, p + u + v, p, p + u + v, p + v}) corners[hidden].push_back(corner);
+            for (glm::vec3 corner : {p, p + u, p + u + v, p, p + u + v, p + v})
+                corners[hidden].push_back(corner);
             lightOfPrimitive_[2 + hidden].insert(lightOfPrimitive_[2 + hidden].end(), 2, index);
         } else if (light->radius > 0) {
             spheres[hidden].emplace_back(light->position, light->radius);
@@ -259,8 +266,8 @@ void CpuScene::attachLights(const Scene& scene) {
         rtcAttachGeometryByID(top_.get(), g, first + id);
         rtcReleaseGeometry(g);
     };
-    const auto fill = [](RTCGeometry g, RTCBufferType type, RTCFormat format, size_t stride, size_t count,
-                         const void* source) {
+    const auto fill = [](RTCGeometry g, RTCBufferType type, RTCFormat format, size_t stride,
+                         size_t count, const void* source) {
         void* buffer = rtcSetNewGeometryBuffer(g, type, 0, format, stride, count);
         if (!buffer) throw std::bad_alloc();
         std::memcpy(buffer, source, stride * count);
@@ -268,16 +275,18 @@ void CpuScene::attachLights(const Scene& scene) {
     for (int hidden = 0; hidden < 2; ++hidden) {
         if (!spheres[hidden].empty()) {
             RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-            fill(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), spheres[hidden].size(),
-                 spheres[hidden].data());
+            fill(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, sizeof(glm::vec4),
+                 spheres[hidden].size(), spheres[hidden].data());
             attach(g, uint32_t(hidden), hidden);
         }
         if (!corners[hidden].empty()) {
             RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
             std::vector<uint32_t> order(corners[hidden].size());
             for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-            fill(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), order.size(), corners[hidden].data());
-            fill(g, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, sizeof(glm::uvec3), order.size() / 3, order.data());
+            fill(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), order.size(),
+                 corners[hidden].data());
+            fill(g, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, sizeof(glm::uvec3), order.size() / 3,
+                 order.data());
             attach(g, uint32_t(2 + hidden), hidden);
         }
     }
@@ -302,7 +311,8 @@ void CpuScene::fillView(const Scene& scene) {
     view_.lights = lights_.lights.data();
     view_.lightTree = lights_.tree.data();
     view_.lightOfTriangle = lights_.lightOfTriangle.data();
-    for (size_t i = 0; i < std::size(lightOfPrimitive_); ++i) view_.lightOfPrimitive[i] = lightOfPrimitive_[i].data();
+    for (size_t i = 0; i < std::size(lightOfPrimitive_); ++i)
+        view_.lightOfPrimitive[i] = lightOfPrimitive_[i].data();
     view_.instanceCount = uint32_t(instances_.size());
     view_.lightCount = uint32_t(lights_.lights.size());
     view_.lightTreeNodes = uint32_t(lights_.tree.size());

@@ -51,7 +51,8 @@ private:
     void attachBuffers(MeshStructure& s);
     void fillMaterials(const Scene& scene);
     void fillSlots(shared::MaterialRecord& r, const Material& m);
-    void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit, const TextureUse& use);
+    void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
+                  const TextureUse& use);
     void fillInstances(const Scene& scene);
     void fillEnvironment(const Scene& scene);
     void attachLights(const Scene& scene);

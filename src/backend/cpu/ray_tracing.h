@@ -78,7 +78,8 @@ void Kernels::trace_camera(const Ray* rays, const uint32_t* alphaSeeds, Hit* hit
             const Ray& r = rays[begin + std::min(i, n - 1)];
             valid[i] = i < n ? -1 : 0;
             q.ray.org_x[i] = r.origin.x, q.ray.org_y[i] = r.origin.y, q.ray.org_z[i] = r.origin.z;
-            q.ray.dir_x[i] = r.direction.x, q.ray.dir_y[i] = r.direction.y, q.ray.dir_z[i] = r.direction.z;
+            q.ray.dir_x[i] = r.direction.x, q.ray.dir_y[i] = r.direction.y,
+            q.ray.dir_z[i] = r.direction.z;
             q.ray.tnear[i] = r.t_min, q.ray.tfar[i] = r.t_max, q.ray.time[i] = 0;
             q.ray.mask[i] = rayCamera, q.ray.id[i] = i, q.ray.flags[i] = 0;
             q.hit.geomID[i] = q.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -93,10 +94,10 @@ void Kernels::trace_camera(const Ray* rays, const uint32_t* alphaSeeds, Hit* hit
     }
 }
 
-// Whether a ray meets a point of an alpha-tested or blended surface, or passes through it. Blending is
-// by chance, the same for the same ray and triangle however often Embree asks.
-inline bool meetsSurface(const SceneView& view, uint32_t instance, uint32_t primitive, float u, float v,
-                         uint32_t seed) {
+// Whether a ray meets a point of an alpha-tested or blended surface, or passes through it. Blending
+// is by chance, the same for the same ray and triangle however often Embree asks.
+inline bool meetsSurface(const SceneView& view, uint32_t instance, uint32_t primitive, float u,
+                         float v, uint32_t seed) {
     const InstanceRecord& r = view.instances[instance];
     const MaterialRecord& m = view.materials[r.material];
     if ((m.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0) return true;
@@ -116,7 +117,9 @@ inline bool meetsSurface(const SceneView& view, uint32_t instance, uint32_t prim
         alpha *= sampleTexture(view.textures[slot.texture_index], moved, FINEST_LEVEL, 0.0f).w;
     }
     if (g.colors && (m.flags & MATERIAL_VERTEX_COLOR))
-        alpha *= (float(g.colors[t.x].w) * w + float(g.colors[t.y].w) * u + float(g.colors[t.z].w) * v) / 255.0f;
+        alpha *=
+            (float(g.colors[t.x].w) * w + float(g.colors[t.y].w) * u + float(g.colors[t.z].w) * v) /
+            255.0f;
     if (m.flags & MATERIAL_ALPHA_MASK) return alpha >= m.alpha_cutoff;
     return unit_float(hash_u32(seed ^ hash_u32(instance * 0x9E3779B9u + primitive))) < alpha;
 }

@@ -50,7 +50,7 @@ struct SceneView {
     const shared::LightTreeNode* lightTree;
     const uint32_t* lightOfTriangle;          // InstanceRecord::light_map + primitive
     EnvironmentView environment;
-    const uint32_t* lightOfPrimitive[4];      // of the geometries after the instances: lights' shapes
+    const uint32_t* lightOfPrimitive[4];  // of the geometries after the instances: lights' shapes
     uint32_t instanceCount, lightCount, lightTreeNodes, directionalLights;
     glm::vec3 environmentColor;
     float environmentCos, environmentSin;     // of its rotation

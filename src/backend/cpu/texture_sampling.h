@@ -1,7 +1,8 @@
 // Reading textures on the CPU: part of the hot code, compiled for each instruction set.
 // Included inside an unnamed namespace by isa/kernels.h only.
 
-// 8-bit sRGB to linear, and 8-bit to 0..1, as tables: decoding by formula costs more than the texture.
+// 8-bit sRGB to linear, and 8-bit to 0..1, as tables: decoding by formula costs more than the
+// texture.
 struct DecodeTables {
     float srgb[256];
     float linear[256];
@@ -40,8 +41,8 @@ inline int floorToInt(float x) {
     return float(i) > x ? i - 1 : i;
 }
 
-// lod: log2 of the footprint before the texture's own size is added; u_lod in [0, 1) chooses between
-// the two nearest levels.
+// lod: log2 of the footprint before the texture's own size is added; u_lod in [0, 1) chooses
+// between the two nearest levels.
 inline glm::vec4 sampleTexture(const TextureView& t, glm::vec2 uv, float lod, float uLod) {
     const float exact = lod + t.halfLog2Texels + (t.minNearest ? 0.5f : uLod);
     const int level = exact > 0 ? std::min(int(exact), int(t.levelCount) - 1) : 0;
@@ -62,13 +63,16 @@ inline glm::vec4 sampleTexture(const TextureView& t, glm::vec2 uv, float lod, fl
     const float ax = fx - float(ix), ay = fy - float(iy);
     const int x0 = wrapTexel(ix, w, t.wrapU), x1 = wrapTexel(ix + 1, w, t.wrapU);
     const int y0 = wrapTexel(iy, h, t.wrapV), y1 = wrapTexel(iy + 1, h, t.wrapV);
-    const glm::vec4 top = glm::mix(readTexel(t, pixels, w, x0, y0), readTexel(t, pixels, w, x1, y0), ax);
-    const glm::vec4 low = glm::mix(readTexel(t, pixels, w, x0, y1), readTexel(t, pixels, w, x1, y1), ax);
+    const glm::vec4 top =
+        glm::mix(readTexel(t, pixels, w, x0, y0), readTexel(t, pixels, w, x1, y0), ax);
+    const glm::vec4 low =
+        glm::mix(readTexel(t, pixels, w, x0, y1), readTexel(t, pixels, w, x1, y1), ax);
     return glm::mix(top, low, ay);
 }
 
 // Three mantissas of 9 bits, an exponent of 5. [EXT_texture_shared_exponent, section 3.8.1]
 inline glm::vec3 unpackRadiance(uint32_t v) {
     const float scale = std::bit_cast<float>(((v >> 27) + (127 - 15 - 9)) << 23);
-    return scale * glm::vec3(float(int(v & 511)), float(int((v >> 9) & 511)), float(int((v >> 18) & 511)));
+    return scale *
+           glm::vec3(float(int(v & 511)), float(int((v >> 9) & 511)), float(int((v >> 18) & 511)));
 }

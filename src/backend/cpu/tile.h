@@ -1,4 +1,5 @@
-// One rectangle of pixels: part of the hot code, included inside an unnamed namespace by isa/kernels.h.
+// One rectangle of pixels: part of the hot code, included inside an unnamed namespace by
+// isa/kernels.h.
 
 constexpr uint32_t maxTilePixels = 64;
 
@@ -50,8 +51,9 @@ inline void traceSample(Kernels& k, const TileJob& job, const CameraParams& came
 inline CameraParams cameraParams(const Camera& c, uint32_t width, uint32_t height) {
     const bool perspective = c.kind == CameraKind::perspective;
     const float halfY = perspective ? std::tan(0.5f * c.verticalFov) : 0.5f * c.orthographicHeight;
-    CameraParams p = camera_look_at(perspective ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC, c.position,
-                                    c.target, c.up, halfY, float(width) / float(height));
+    CameraParams p =
+        camera_look_at(perspective ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC, c.position, c.target,
+                       c.up, halfY, float(width) / float(height));
     p.lens_radius = c.apertureRadius;
     p.focus_distance = c.focusDistance > 0 ? c.focusDistance : length(c.target - c.position);
     return p;
@@ -73,7 +75,8 @@ TileCounts traceTile(const TileJob& job) {
     return k.counts;
 }
 
-void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv, uint32_t tonemap) {
+void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv,
+                   uint32_t tonemap) {
     const float scale = std::exp2(exposureEv);
     const SceneView view{};
     const FrameConstants frame{};

@@ -1,6 +1,6 @@
-// The hot code: the kernels of src/kernels with the CPU's resource functions around them. Compiled once
-// for each instruction set (isa/*.cpp); everything has internal linkage, so that the linker cannot
-// hand one set's code to another.
+// The hot code: the kernels of src/kernels with the CPU's resource functions around them. Compiled
+// once for each instruction set (isa/*.cpp); everything has internal linkage, so that the linker
+// cannot hand one set's code to another.
 #pragma once
 
 #include <algorithm>
@@ -78,7 +78,8 @@ struct Kernels {
         const GeometryView& g = view.geometries[geometry];
         if (!g.colors) return vec4(1);
         const uvec3 t = g.triangles[primitive];
-        return (vec4(g.colors[t.x]) * (1.0f - u - v) + vec4(g.colors[t.y]) * u + vec4(g.colors[t.z]) * v) *
+        return (vec4(g.colors[t.x]) * (1.0f - u - v) + vec4(g.colors[t.y]) * u +
+                vec4(g.colors[t.z]) * v) *
                (1.0f / 255.0f);
     }
     vec4 sample_texture(uint texture, vec2 uv, float lod, float uLod) {
