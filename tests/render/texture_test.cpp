@@ -29,7 +29,7 @@ protected:
         d.noMipmaps = 1;
         return d;
     }
-    // The square [0, 1]^2 glows with the texture; texture coordinates are x and y, times `scale`.
+    // The square [0, 1]^2 shows the texture as it is; texture coordinates are x and y, times `scale`.
     static Picture look(const GpTextureDesc& texture, uint32_t width, uint32_t height, uint32_t samples,
                         float scale = 1, const float* transform = nullptr, uint32_t set = 0,
                         float radius = 0.001f) {
@@ -42,10 +42,11 @@ protected:
             t.uv0.assign(6, glm::vec2(0.1f));
         }
         GpMaterialDesc d = lambertDesc(glm::vec3(0));
-        put(d.emission, glm::vec3(1));
-        d.emissionTexture.texture = stage.texture(texture);
-        d.emissionTexture.texCoord = set;
-        if (transform) std::copy_n(transform, 6, d.emissionTexture.transform);
+        put(d.baseColor, glm::vec3(1));
+        d.unlit = 1;
+        d.baseColorTexture.texture = stage.texture(texture);
+        d.baseColorTexture.texCoord = set;
+        if (transform) std::copy_n(transform, 6, d.baseColorTexture.transform);
         stage.add(t, stage.material(d));
         GpRenderOptions o = stage.options(samples);
         o.pixelFilter = GP_PIXEL_BOX, o.pixelFilterRadius = radius;  // the pixel's middle
