@@ -37,7 +37,10 @@ void furnish(Stage& stage, bool byTransform) {
     texture.noMipmaps = 1;
     GpMaterialDesc bumpy = lambertDesc(glm::vec3(0.8f));
     bumpy.normalTexture.texture = stage.texture(texture);
-    add(lamp, stage.lambert(glm::vec3(0), {8, 6, 4}));
+    GpMaterialDesc glow = lambertDesc(glm::vec3(0));
+    put(glow.emission, {8, 6, 4});
+    glow.emissionTexture.texture = bumpy.normalTexture.texture;
+    add(lamp, stage.material(glow));
     add(lump, stage.lambert({0.9f, 0.5f, 0.4f}));
     add(plate, stage.material(bumpy));
 }
@@ -50,7 +53,7 @@ TEST_P(Mirrored, TransformsAndMirroredMeshesAreTheSame) {
         GpCameraDesc c{};
         put(c.position, {0.3f, 0.2f, 4});
         c.verticalFov = 0.6f;
-        GpRenderOptions o = stage.options(effort(4096));
+        GpRenderOptions o = stage.options(effort(2048));
         o.seed = uint64_t(byTransform);
         pictures[byTransform] = stage.render(16, 16, c, o);
     }
