@@ -1,6 +1,7 @@
 // Every option of a render, resolved once before the first pass.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "scene/camera.h"
@@ -28,6 +29,10 @@ struct FramePlan {
     float exposureEv = 0;
     Tonemap tonemap = Tonemap::agx;
     bool accumulate = false;
+
+    // The share of what the environment, directional and local lights send that arrives, on average
+    // over the picture: set before the first sample, by Backend::estimateLightVisibility.
+    std::array<float, 3> lightVisibility{1, 1, 1};
 };
 
 }  // namespace gp

@@ -21,7 +21,7 @@ constexpr double noiseSeconds = 0.5;
 
 class RenderLoop {
 public:
-    RenderLoop(Backend& backend, const BackendScene& scene, const FramePlan& plan,
+    RenderLoop(Backend& backend, const BackendScene& scene, FramePlan plan,
                FrameImages& images, std::atomic<bool>& cancel,
                const std::function<bool(const RenderProgress&)>& progress)
         : backend_(backend),
@@ -32,6 +32,7 @@ public:
           progress_(progress) {}
 
     RenderResult run() {
+        plan_.lightVisibility = backend_.estimateLightVisibility(scene_, plan_);
         first_ = samplesOfAll();
         const uint32_t begin = first_;
         uint32_t batch = 1;
@@ -114,7 +115,7 @@ private:
 
     Backend& backend_;
     const BackendScene& scene_;
-    const FramePlan& plan_;
+    FramePlan plan_;
     FrameImages& images_;
     std::atomic<bool>& cancel_;
     const std::function<bool(const RenderProgress&)>& progress_;

@@ -57,22 +57,30 @@ float light_tree_importance(uint node, vec3 p, vec3 normal) {
 LightGroups light_groups(vec3 p, vec3 normal) {
     LET_REF(FrameConstants) f = load_frame();
     LightGroups g;
-    g.environment = f.environment_power;
+    g.environment = f.environment_power * f.environment_visibility;
     g.directional = 0.0f;
     for (uint i = 0u; i < f.directional_lights; ++i) {
         g.directional += directional_importance(load_light(i), normal);
     }
+    g.directional *= f.directional_visibility;
     g.tree = 0.0f;
     if (f.tree_nodes != 0u) {
         // Power over squared distance is pi times the irradiance of a Lambertian emitter.
-        float importance = light_tree_importance(0u, p, normal) * INV_PI;
+        float importance = light_tree_importance(0u, p, normal) * INV_PI * f.tree_visibility;
         float others = g.environment + g.directional;
-        // Bounds say little about what is hidden; no group that may matter is left to chance alone.
+        // Bounds are crude; no group that may matter is left to chance alone.
         g.tree = others > 0.0f && importance > 0.0f
-                     ? clamp(importance, 0.25f * others, 8.0f * others)
+                     ? clamp(importance, 0.1f * others, 10.0f * others)
                      : importance;
     }
     return g;
+}
+
+// The group that a light belongs to: 0 the environment, 1 directional lights, 2 the tree's.
+uint light_group(uint light) {
+    LET_REF(FrameConstants) f = load_frame();
+    if (light == LIGHT_ENVIRONMENT) { return 0u; }
+    return light < f.directional_lights ? 1u : 2u;
 }
 
 float light_groups_sum(IN(LightGroups) g) {
@@ -122,7 +130,7 @@ LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
     x -= g.environment;
     if (x < g.directional) {
         for (uint i = 0u; i < f.directional_lights; ++i) {
-            float w = directional_importance(load_light(i), normal);
+            float w = directional_importance(load_light(i), normal) * f.directional_visibility;
             if (x < w) {
                 choice.light = i;
                 choice.pmf = w / sum;
@@ -144,7 +152,7 @@ float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     float sum = light_groups_sum(g);
     if (!(sum > 0.0f)) { return 0.0f; }
     if (index < f.directional_lights) {
-        return directional_importance(load_light(index), normal) / sum;
+        return directional_importance(load_light(index), normal) * f.directional_visibility / sum;
     }
     float pmf = g.tree / sum;
     uint trail = load_light(index).trail;
@@ -204,15 +212,18 @@ TriangleLight triangle_light(IN(LightRecord) r) {
 
 // What textures and coverage make of an emissive triangle's radiance at one point. Coverage counts
 // because a ray that the material sends meets the triangle only as often as that.
-vec3 triangle_emission(IN(LightRecord) r, vec3 barycentrics) {
+vec3 triangle_emission(IN(LightRecord) r, vec3 light_barycentrics) {
     LET_REF(InstanceRecord) instance = load_instance(r.instance);
     LET_REF(MaterialRecord) m = load_material(instance.material);
     bool covers = (m.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u;
     if ((m.textures & SLOT_EMISSION) == 0u && covers) { return r.emission; }
+    vec3 b = light_barycentrics;
+    // The light of a mirrored instance has its corners in the order that the mirror shows.
+    if (instance.mirrored != 0u) { b = vec3(b.x, b.z, b.y); }
     TriangleCorners c = load_triangle(instance.geometry, r.primitive);
     Surface s;
-    s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, barycentrics.y, barycentrics.z);
-    s.uv1 = load_uv1(instance.geometry, r.primitive, barycentrics.y, barycentrics.z);
+    s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, b.y, b.z);
+    s.uv1 = load_uv1(instance.geometry, r.primitive, b.y, b.z);
     s.lod = FINEST_LEVEL;
     vec3 e = r.emission;
     if ((m.textures & SLOT_EMISSION) != 0u) { e *= vec3(read_slot(m.emission_slot, s, 0.0f)); }
@@ -221,7 +232,7 @@ vec3 triangle_emission(IN(LightRecord) r, vec3 barycentrics) {
     if ((m.textures & SLOT_BASE_COLOR) != 0u) { alpha *= read_slot(m.base_color_slot, s, 0.0f).w; }
     if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) {
         alpha *=
-            load_vertex_color(instance.geometry, r.primitive, barycentrics.y, barycentrics.z).w;
+            load_vertex_color(instance.geometry, r.primitive, b.y, b.z).w;
     }
     if ((m.flags & MATERIAL_ALPHA_MASK) != 0u) { return alpha >= m.alpha_cutoff ? e : vec3(0.0f); }
     return e * alpha;

@@ -1,7 +1,7 @@
 // The reference: one whole path through a pixel. At every surface one light is chosen for a shadow
 // ray, and one direction by the material; what both could have found is weighted between them.
 // Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8
-// to 10. Resources: trace_closest, trace_visible, and those of the files included.
+// to 10. Resources: trace_closest, trace_visible, note_shadow_ray, and those of the files included.
 #ifndef GP_KERNELS_PATH_GLSL
 #define GP_KERNELS_PATH_GLSL
 #include "kernels/environment.glsl"
@@ -193,7 +193,9 @@ vec3 sample_direct(IN(Surface) s, IN(ShadingPoint) p, IN(PathVertex) at, vec3 wo
     if (!(max_component(radiance) > 0.0f)) { return vec3(0.0f); }
     float density = choice.pmf * light.pdf;
     float w = light.is_delta != 0u || !weigh ? 1.0f : mis_power(density, value.pdf);
-    return radiance * (w / density) * trace_visible(shadow_ray(s, light));
+    float visible = trace_visible(shadow_ray(s, light));
+    note_shadow_ray(light_group(choice.light), max_component(radiance) / density, visible);
+    return radiance * (w / density * visible);
 }
 
 // `ray` and `hit`: the camera ray and what it met; `cone`: its cone; `draws`: at the path's first

@@ -193,6 +193,9 @@ struct FrameConstants {
     float environment_cos;     // of its rotation
     float environment_sin;
     uint only_environment;     // 1: no other light is there to choose
+    float environment_visibility;  // the share of each group's light that arrives, estimated
+    float directional_visibility;  // before the first sample: FramePlan::lightVisibility
+    float tree_visibility;
     uint environment_cells;    // along each side of its sampling table; 0: uniform
 };
 

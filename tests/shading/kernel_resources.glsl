@@ -86,3 +86,5 @@ Hit trace_closest(Ray ray) {
 }
 
 float trace_visible(Ray ray) { return trace_closest(ray).instance == HIT_NOTHING ? 1.0f : 0.0f; }
+
+void note_shadow_ray(uint group, float value, float visible) {}

@@ -1,5 +1,5 @@
 // The CPU backend: Embree for rays, oneTBB for threads, one instruction set for the whole device.
-#include <mutex>
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
@@ -80,6 +80,9 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.clamp_indirect = plan.clampIndirect;
     f.directional_lights = view.directionalLights;
     f.tree_nodes = view.lightTreeNodes;
+    f.environment_visibility = plan.lightVisibility[0];
+    f.directional_visibility = plan.lightVisibility[1];
+    f.tree_visibility = plan.lightVisibility[2];
     f.only_environment = view.lightCount == 0;
     f.environment_power = view.environmentPower;
     f.environment_color = view.environmentColor;
@@ -115,6 +118,39 @@ std::string CpuBackend::name() const {
 
 std::unique_ptr<BackendScene> CpuBackend::newScene() {
     return std::make_unique<CpuScene>(device_.get(), kernels_, embreeBytes_, arena_);
+}
+
+// A picture of a few thousand pixels, whose shadow rays are counted. In one thread and in order, so
+// that the result has the same bits everywhere.
+std::array<float, 3> CpuBackend::estimateLightVisibility(const BackendScene& scene,
+                                                         const FramePlan& plan) {
+    const SceneView& view = static_cast<const CpuScene&>(scene).view();
+    if (view.lightCount == 0) return {1, 1, 1};
+    FramePlan small = plan;
+    const double scale = std::sqrt(2048.0 / (double(plan.width) * plan.height));
+    small.width = std::max(1u, uint32_t(std::lround(scale * plan.width)));
+    small.height = std::max(1u, uint32_t(std::lround(scale * plan.height)));
+    small.seed = plan.seed + 0x5EED;
+    small.lightVisibility = {1, 1, 1};
+    const shared::FrameConstants frame = frameConstants(view, small);
+    std::vector<PixelSums> sums(size_t(small.width) * small.height);
+    double sent[3] = {}, arrived[3] = {};
+    const DenormalsOff denormalsOff;
+    for (uint32_t y = 0; y < small.height; y += tileSize)
+        for (uint32_t x = 0; x < small.width; x += tileSize) {
+            const TileJob job{&view, &frame, &plan.camera, sums.data(), x, y,
+                              std::min(x + tileSize, small.width),
+                              std::min(y + tileSize, small.height), 0, 1, nullptr};
+            const TileCounts c = kernels_.traceTile(job);
+            for (int i = 0; i < 3; ++i) sent[i] += c.lightSent[i], arrived[i] += c.lightArrived[i];
+        }
+    std::array<float, 3> visibility;
+    // Never trusted to be nothing: what was hidden from a few thousand rays may still matter.
+    for (size_t i = 0; i < 3; ++i) {
+        const double share = sent[i] > 0 ? arrived[i] / sent[i] : 1.0;
+        visibility[i] = share > 0.02 ? float(std::min(share, 1.0)) : 0.02f;
+    }
+    return visibility;
 }
 
 RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,

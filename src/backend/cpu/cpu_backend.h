@@ -12,6 +12,8 @@ public:
 
     std::string name() const override;
     std::unique_ptr<BackendScene> newScene() override;
+    std::array<float, 3> estimateLightVisibility(const BackendScene& scene,
+                                                 const FramePlan& plan) override;
     RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;

@@ -79,6 +79,7 @@ struct TileJob {
 
 struct TileCounts {
     uint64_t camera, bounce, shadow;
+    float lightSent[3], lightArrived[3];  // by shadow rays, for each group of lights
 };
 
 // The hot code, once for each instruction set (isa/).

@@ -21,6 +21,9 @@ public:
     std::string name() const override { return "null (renders nothing)"; }
     std::unique_ptr<BackendScene> newScene() override { return std::make_unique<NullScene>(); }
 
+    std::array<float, 3> estimateLightVisibility(const BackendScene&, const FramePlan&) override {
+        return {1, 1, 1};
+    }
     RayCounts tracePaths(const BackendScene&, const FramePlan&, uint32_t, uint32_t count,
                          FrameImages& images, const std::atomic<bool>& cancel) override {
         for (PixelSums& sums : images.sums) {

@@ -104,6 +104,10 @@ struct Kernels {
     // Rays.
     Hit trace_closest(const Ray& ray);
     float trace_visible(const Ray& ray);
+    void note_shadow_ray(uint group, float value, float visible) {
+        counts.lightSent[group] += value;
+        counts.lightArrived[group] += value * visible;
+    }
     void trace_camera(const Ray* rays, const uint32_t* alphaSeeds, Hit* hits, uint32_t count);
 
     uint32_t nextAlphaSeed() { return pathSeed = hash_u32(pathSeed + 0x9E3779B9u); }
