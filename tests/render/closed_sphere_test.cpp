@@ -56,7 +56,7 @@ TEST_P(DeepClosedSphere, RouletteKeepsTheGivenBounces) {
 }
 
 TEST_P(ClosedSphere, SixteenBouncesAreTheDefault) {
-    expectMean(render(glm::vec3(0.9f), glm::vec3(1), 0, false, 48), (1 - std::pow(0.9, 18)) / 0.1);
+    expectMean(render(glm::vec3(0.9f), glm::vec3(1), 0, false, 96), (1 - std::pow(0.9, 18)) / 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ClosedSphere, ::testing::ValuesIn(allVariants()),

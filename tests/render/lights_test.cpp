@@ -131,20 +131,20 @@ TEST_P(Lights, RectangleFromItsTwoSides) {
     const glm::vec3 corner(-0.5f, 1, -0.2f), u(1.2f, 0.3f, 0), v(0, 0.1f, 1);
     const double form = polygonIrradiance(quadPolygon(corner, u, v), up);
     stage().light(rectangleDesc(corner, u, v, 4));  // u x v points down
-    expectIrradiance(4 * form, 256, "front");
+    expectIrradiance(4 * form, 768, "front");
     stage().light(rectangleDesc(corner + glm::vec3(0, 8, 0), v, u, 4));
-    expectIrradiance(4 * form, 256, "the back is dark");
+    expectIrradiance(4 * form, 768, "the back is dark");
     GpLightDesc both = rectangleDesc(corner + glm::vec3(2, 0, 0), v, u, 3);
     both.twoSided = 1;
     stage().light(both);
     const double second = polygonIrradiance(quadPolygon(corner + glm::vec3(2, 0, 0), v, u), up);
-    expectIrradiance(4 * form + 3 * second, 1024, "two-sided");
+    expectIrradiance(4 * form + 3 * second, 2048, "two-sided");
 }
 
 TEST_P(Lights, RectangleThroughTheHorizon) {
     const glm::vec3 corner(1, -1, -0.8f), u(0, 2, 0), v(0, 0, 1.6f);
     stage().light(rectangleDesc(corner, v, u, 4));  // v x u points to -x
-    expectIrradiance(4 * polygonIrradiance(quadPolygon(corner, v, u), up), 512, "half hidden");
+    expectIrradiance(4 * polygonIrradiance(quadPolygon(corner, v, u), up), 4608, "half hidden");
 }
 
 TEST_P(Lights, EmissiveTrianglesAreTheSameAsARectangle) {
