@@ -13,7 +13,8 @@ namespace {
 
 enum class RayKind { camera, shadow, bounce };
 
-// Layers of the unit square at heights z = 1, 1.1, ... between the camera, or a surface, and the light.
+// Layers of the unit square at heights z = 1, 1.1, ... between the camera, or a surface, and the
+// light.
 using Layers = std::function<void(Stage&)>;
 
 Triangles square(float z) {
@@ -65,7 +66,8 @@ GpMaterialDesc black(GpAlphaMode mode, float alpha) {
 
 TEST_P(Alpha, OpaqueBlocksEverything) {
     for (const RayKind kind : kinds()) {
-        const Picture p = passing(kind, [](Stage& s) { s.add(square(1), s.lambert(glm::vec3(0))); }, 4);
+        const Picture p = passing(
+            kind, [](Stage& s) { s.add(square(1), s.lambert(glm::vec3(0))); }, 4);
         for (const glm::vec4& c : p.color) EXPECT_EQ(glm::vec3(c), glm::vec3(0)) << int(kind);
     }
 }
@@ -92,7 +94,8 @@ TEST_P(Alpha, MaskOfACheckerIsExact) {
                 const bool isOpen = p.at(x, y).x > 0.5f;
                 open += isOpen;
                 // The mirror's microfacets spread its rays a little, some across an edge.
-                EXPECT_NEAR(p.at(x, y).x, isOpen ? 1 : 0, kind == RayKind::bounce ? 0.3 : 1e-3) << int(kind) << " at " << x << ", " << y;
+                EXPECT_NEAR(p.at(x, y).x, isOpen ? 1 : 0, kind == RayKind::bounce ? 0.3 : 1e-3)
+                    << int(kind) << " at " << x << ", " << y;
                 EXPECT_EQ(isOpen, p.at(x ^ 1, y).x < 0.5f) << int(kind) << " at " << x << ", " << y;
             }
         EXPECT_EQ(open, 128u) << int(kind);
@@ -107,7 +110,8 @@ TEST_P(Alpha, MaskComparesWithItsCutoff) {
             s.add(square(1), s.material(d));
         };
         const double expected = 0.5f >= cutoff ? 0 : 1;
-        for (const RayKind kind : kinds()) EXPECT_NEAR(passing(kind, layers, 2).mean().x, expected, 1e-3);
+        for (const RayKind kind : kinds())
+            EXPECT_NEAR(passing(kind, layers, 2).mean().x, expected, 1e-3);
     }
 }
 
@@ -122,10 +126,12 @@ TEST_P(BlendedAlpha, BlendedLayersMultiply) {
                     const GpMaterial m = s.material(black(GP_ALPHA_BLEND, alpha));
                     for (int i = 0; i < count; ++i) s.add(square(1 + 0.1f * float(i)), m);
                 };
-                // Each sample is 0 or 1 with this chance; so many make 4 sigma 1 % of it, and a few more.
+                // Each sample is 0 or 1 with this chance; so many make 4 sigma 1 % of it, and a few
+                // more.
                 const double p = std::pow(1 - alpha, count);
                 const auto samples = uint32_t(1.2 * 160000 / 256 * (1 - p) / p);
-                expectMean(passing(kind, layers, effort(samples)), p, "rays " + std::to_string(int(kind)));
+                expectMean(passing(kind, layers, effort(samples)), p,
+                           "rays " + std::to_string(int(kind)));
             }
 }
 
@@ -162,8 +168,10 @@ TEST_P(Alpha, EmissionCountsByCoverage) {
         GpRenderOptions o = stage.options(effort(1024));
         o.maxBounces = GP_NO_BOUNCES;
         const Picture p = stage.render(8, 8, lookFrom({0, 0, 0}, {0, 1, 0}, 0.1f, 1e-3f), o);
-        const double form = polygonIrradiance(quadPolygon({-0.5, 1, -0.5}, {1, 0, 0}, {0, 0, 1}), {0, 1, 0});
-        expectMean(p, mode == GP_ALPHA_BLEND ? 0.4 * 5 * form / pi : 0, mode == GP_ALPHA_BLEND ? "blend" : "mask");
+        const double form =
+            polygonIrradiance(quadPolygon({-0.5, 1, -0.5}, {1, 0, 0}, {0, 0, 1}), {0, 1, 0});
+        expectMean(p, mode == GP_ALPHA_BLEND ? 0.4 * 5 * form / pi : 0,
+                   mode == GP_ALPHA_BLEND ? "blend" : "mask");
     }
 }
 
@@ -173,7 +181,8 @@ TEST_P(Alpha, VisibilityBitsNameTheirRays) {
         for (const uint32_t bit : bits) {
             const Layers layers = [&](Stage& s) { s.add(square(1), s.lambert(glm::vec3(0)), bit); };
             const double expected = bit == bits[size_t(kind)] ? 1 : 0;
-            EXPECT_NEAR(passing(kind, layers, 2).mean().x, expected, 1e-3) << int(kind) << " " << bit;
+            EXPECT_NEAR(passing(kind, layers, 2).mean().x, expected, 1e-3)
+                << int(kind) << " " << bit;
         }
 }
 
@@ -185,7 +194,8 @@ TEST_P(Alpha, EmissionLeavesTheFrontUnlessDoubleSided) {
             put(d.emission, {2, 3, 4});
             d.doubleSided = doubleSided;
             stage.add(square(0), stage.material(d));
-            const Picture p = stage.render(4, 4, lookFrom({0, 0, 0}, {0, 0, back ? -1.0f : 1.0f}, 1, 0.2f), stage.options(2));
+            const Picture p = stage.render(
+                4, 4, lookFrom({0, 0, 0}, {0, 0, back ? -1.0f : 1.0f}, 1, 0.2f), stage.options(2));
             expectMean(p, back && !doubleSided ? glm::dvec3(0) : glm::dvec3(2, 3, 4));
         }
 }

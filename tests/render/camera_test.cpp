@@ -39,9 +39,11 @@ TEST_P(Cameras, PerspectiveFilmPositions) {
     constexpr uint32_t w = 40, h = 20;
     const double fov = 0.9, distance = 3, pixel = 2 * distance * std::tan(fov / 2) / h;
     const glm::dvec3 position(1, 2, 3), forward = glm::normalize(glm::dvec3(2, -1, -2));
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, {0, 1, 0})), up = glm::cross(right, forward);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, {0, 1, 0})),
+                     up = glm::cross(right, forward);
     const uint32_t x = 31, y = 4;
-    const glm::dvec3 centre = position + forward * distance + right * ((x + 0.5 - w / 2.0) * pixel) +
+    const glm::dvec3 centre = position + forward * distance +
+                              right * ((x + 0.5 - w / 2.0) * pixel) +
                               up * ((h / 2.0 - y - 0.5) * pixel);
     lamp(glm::vec3(centre), float(pixel), glm::vec3(right), glm::vec3(up));
     GpCameraDesc c{};
@@ -58,8 +60,8 @@ TEST_P(Cameras, OrthographicFilmPositions) {
     expectOnly(look(c, 16, 8, 16, GP_PIXEL_BOX, 0.49f), 10, 5);
 }
 
-// A small light at distance d, focus at f: its image is a disk of radius aperture |d - f| / f in the
-// plane at d, seen there by the pinhole at the lens's middle.
+// A small light at distance d, focus at f: its image is a disk of radius aperture |d - f| / f in
+// the plane at d, seen there by the pinhole at the lens's middle.
 TEST_P(Cameras, ThinLensBlursAsTheFormulaSays) {
     constexpr uint32_t size = 64;
     const double d = 4, f = 2.5, aperture = 0.12, fov = 0.5;
@@ -95,13 +97,15 @@ TEST_P(Cameras, LensIsSharpAtItsFocus) {
 
 TEST_P(Cameras, FiltersKeepFlatPicturesFlat) {
     stage.surround({0.25f, 1, 3});
-    for (const GpPixelFilter filter : {GP_PIXEL_BLACKMAN_HARRIS, GP_PIXEL_BOX, GP_PIXEL_TENT, GP_PIXEL_GAUSSIAN})
-        for (const glm::vec4& c : look(lookFrom({0, 0, 0}, {0, 0, 1}, 1, 1), 6, 6, 16, filter).color)
+    for (const GpPixelFilter filter :
+         {GP_PIXEL_BLACKMAN_HARRIS, GP_PIXEL_BOX, GP_PIXEL_TENT, GP_PIXEL_GAUSSIAN})
+        for (const glm::vec4& c :
+             look(lookFrom({0, 0, 0}, {0, 0, 1}, 1, 1), 6, 6, 16, filter).color)
             EXPECT_EQ(c, glm::vec4(0.25f, 1, 3, 0)) << int(filter);
 }
 
-// A pixel half covered: the box sees the area; every filter is symmetric and integrates to one, so a
-// row of pixels across an edge sums up to the same.
+// A pixel half covered: the box sees the area; every filter is symmetric and integrates to one, so
+// a row of pixels across an edge sums up to the same.
 TEST_P(Cameras, FiltersWeighAreas) {
     lamp({-5.125f + 1.0f / 32, 0, 0}, 10.25f);  // its right edge: x = 1/32, a quarter of a pixel
     const GpCameraDesc c = lookFrom({0, 0, 0}, {0, 0, 1}, 1, 1);
@@ -109,7 +113,8 @@ TEST_P(Cameras, FiltersWeighAreas) {
     EXPECT_NEAR(box.at(4, 3).x, 0.25, 0.004);
     EXPECT_EQ(box.at(3, 3).x, 1);
     EXPECT_EQ(box.at(5, 3).x, 0);
-    for (const GpPixelFilter filter : {GP_PIXEL_BLACKMAN_HARRIS, GP_PIXEL_TENT, GP_PIXEL_GAUSSIAN}) {
+    for (const GpPixelFilter filter :
+         {GP_PIXEL_BLACKMAN_HARRIS, GP_PIXEL_TENT, GP_PIXEL_GAUSSIAN}) {
         const Picture p = look(c, 8, 8, 4096, filter);
         double sum = 0;
         for (uint32_t x = 0; x < 8; ++x) sum += p.at(x, 4).x;

@@ -49,7 +49,8 @@ TEST_P(Cancel, InTheMiddleOfABatchAndGoOn) {
             const double wait = attempt < 3 ? seconds * (0.13 + 0.21 * attempt) : 1e9;
             const auto end = std::chrono::steady_clock::now() +
                              std::chrono::duration<double>(std::min(wait, 60.0));
-            while (!done && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::microseconds(200));
+            while (!done && std::chrono::steady_clock::now() < end)
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
             if (!done) gpCancelRender(stage.device);
         });
         const GpError result = gpRender(stopped, stage.scene, &camera, &o);

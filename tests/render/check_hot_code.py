@@ -12,7 +12,8 @@ import subprocess
 import sys
 
 # Marks of the C++ runtime that hold no code of ours.
-HARMLESS = re.compile(r"^(DW\.ref\.|__gxx_personality|_ZTI|_ZTS|_ZTV|__odr_asan|__asan_|__tsan_|__ubsan_)")
+HARMLESS = re.compile(r"^(DW\.ref\.|__gxx_personality|_ZTI|_ZTS|_ZTV|__odr_asan|"
+                      r"__asan_|__tsan_|__ubsan_)")
 TABLE = re.compile(r"kernels(X86_64|Avx2|Avx512)E?$")
 
 
@@ -37,7 +38,8 @@ def wrong_symbols(listing):
 
 def self_test():
     table = "0000000000000000 R _ZN2gp3cpu11kernelsAvx2E\n"
-    assert wrong_symbols(table + "0000000000000010 t _ZN2gp3cpu5localEv\n                 U sinf\n") == []
+    local = "0000000000000010 t _ZN2gp3cpu5localEv\n                 U sinf\n"
+    assert wrong_symbols(table + local) == []
     assert wrong_symbols(table + "0000000000000000 W _ZSt3minIjERKT_S2_S2_\n")
     assert wrong_symbols(table + "0000000000000000 V _ZN2gp5valueE\n")
     assert wrong_symbols(table + "0000000000000000 u _ZN2gp5guardE\n")
@@ -50,7 +52,8 @@ def main():
         self_test()
         return 0
     nm, path = sys.argv[1:]
-    wrong = wrong_symbols(subprocess.run([nm, path], check=True, capture_output=True, text=True).stdout)
+    listing = subprocess.run([nm, path], check=True, capture_output=True, text=True).stdout
+    wrong = wrong_symbols(listing)
     for line in wrong:
         print(f"{path}: {line}")
     return 1 if wrong else 0

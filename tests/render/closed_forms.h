@@ -25,7 +25,8 @@ inline std::vector<glm::dvec3> clipToHorizon(const std::vector<glm::dvec3>& poly
 }
 
 // The projected solid angle of a polygon, in sr: irradiance for a radiance of 1.
-// [Lambert 1760, "Photometria"; Arvo 1995, "Analytic Methods for Simulated Light Transport", eq. 3.9]
+// [Lambert 1760, "Photometria"; Arvo 1995, "Analytic Methods for Simulated
+// Light Transport", eq. 3.9]
 inline double polygonIrradiance(const std::vector<glm::dvec3>& polygon, glm::dvec3 n) {
     const std::vector<glm::dvec3> p = clipToHorizon(polygon, n);
     double sum = 0;

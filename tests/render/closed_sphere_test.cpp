@@ -1,5 +1,5 @@
-// Inside of a closed surface that reflects the share a of all light and emits e, the radiance is the
-// same everywhere and in all directions: e + a e + a^2 e + ... = e / (1 - a), whatever its shape.
+// Inside of a closed surface that reflects the share a of all light and emits e, the radiance is
+// the same everywhere and in all directions: e + a e + a^2 e + ... = e / (1 - a), for any shape.
 #include <cmath>
 
 #include <gtest/gtest.h>

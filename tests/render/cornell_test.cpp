@@ -28,7 +28,7 @@ void block(Triangles& t, glm::vec3 centre, glm::vec3 half, float angle) {
 void furnish(Stage& stage) {
     const glm::vec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2);
     Triangles white, red, green, lamp;
-    white.quad({-1, 0, -1}, z, x);   // floor, ceiling, back wall
+    white.quad({-1, 0, -1}, z, x);  // floor, ceiling, back wall
     white.quad({-1, 2, -1}, x, z);
     white.quad({-1, 0, -1}, x, y);
     white.uv0.clear();
@@ -88,7 +88,8 @@ double largestZ(double n) {
 class Cornell : public ::testing::TestWithParam<Variant> {};
 
 TEST_P(Cornell, AgreesWithTheReference) {
-    if (const char* update = std::getenv("GP_UPDATE_REFERENCES"); update && std::string(update) == "1") {
+    if (const char* update = std::getenv("GP_UPDATE_REFERENCES");
+        update && std::string(update) == "1") {
         if (GetParam().name != fullVariants().back().name) GTEST_SKIP() << "one variant makes it";
         Picture p = render(GetParam(), referenceSamples, 20261);
         for (glm::vec4& v : p.variance) v = glm::sqrt(v);
@@ -118,7 +119,8 @@ TEST_P(Cornell, AgreesWithTheReference) {
         }
     EXPECT_EQ(beyond, 0u) << "values beyond " << limit << " standard deviations";
     EXPECT_LT(squares / (3 * double(zs.size())), 1.2) << "the picture as a whole";
-    EXPECT_LT(std::abs(difference), 4 * std::sqrt(sum) + 1e-4 * total) << "its mean: " << difference / total;
+    EXPECT_LT(std::abs(difference), 4 * std::sqrt(sum) + 1e-4 * total)
+        << "its mean: " << difference / total;
     EXPECT_LT(4 * std::sqrt(sum), 0.01 * total) << "too few samples";
     if (HasFailure()) {
         const std::string build = GP_BINARY_DIR;

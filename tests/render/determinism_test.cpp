@@ -40,7 +40,10 @@ GpCameraDesc view() {
 
 class Determinism : public ::testing::TestWithParam<Variant> {
 protected:
-    struct Call { uint32_t samples; uint64_t seed; };
+    struct Call {
+        uint32_t samples;
+        uint64_t seed;
+    };
     // All bits of the sums that a frame shows, after these calls.
     static std::vector<uint32_t> bits(uint32_t threads, const std::vector<Call>& calls) {
         Stage stage(GetParam(), threads);
@@ -57,8 +60,8 @@ protected:
     }
     static std::vector<uint32_t> bitsOf(const Stage& stage, GpFrame frame) {
         std::vector<uint32_t> all;
-        for (const GpFrameImage image : {GP_IMAGE_COLOR, GP_IMAGE_VARIANCE, GP_IMAGE_DIRECT, GP_IMAGE_ALBEDO,
-                                         GP_IMAGE_NORMAL}) {
+        for (const GpFrameImage image : {GP_IMAGE_COLOR, GP_IMAGE_VARIANCE, GP_IMAGE_DIRECT,
+                                         GP_IMAGE_ALBEDO, GP_IMAGE_NORMAL}) {
             const auto part = stage.read<glm::uvec4>(frame, image, width * height);
             const auto* words = reinterpret_cast<const uint32_t*>(part.data());
             all.insert(all.end(), words, words + part.size() * 4);
@@ -104,7 +107,10 @@ TEST_P(Determinism, CancelledRendersGoOn) {
     const GpFrame frame = stage.frame(width, height);
     const GpCameraDesc camera = view();
     uint32_t held = 0, cancelled = 0;
-    struct Stopper { GpDevice device; int calls; } stopper{stage.device, 0};
+    struct Stopper {
+        GpDevice device;
+        int calls;
+    } stopper{stage.device, 0};
     while (held < total) {
         GpRenderOptions o = stage.options(total - held);
         o.seed = 3, o.accumulate = 1, o.progressUser = &stopper;

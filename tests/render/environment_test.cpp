@@ -22,7 +22,8 @@ struct Panorama {
         const double v = std::acos(std::clamp(d.y, -1.0, 1.0)) / pi * height - 0.5;
         const int x = int(std::floor(u)), y = int(std::floor(v));
         const auto texel = [&](int i, int j) {
-            return double(pixels[size_t(4 * (std::clamp(j, 0, height - 1) * width + (i + width) % width))]);
+            return double(
+                pixels[size_t(4 * (std::clamp(j, 0, height - 1) * width + (i + width) % width))]);
         };
         const double a = u - x, b = v - y;
         return (texel(x, y) * (1 - a) + texel(x + 1, y) * a) * (1 - b) +
@@ -39,7 +40,8 @@ struct Panorama {
                 const glm::dvec3 d(s * std::cos(phi), y, s * std::sin(phi));
                 // Turning the image by r is looking into it turned by -r: +X goes to -Z.
                 const double c = std::cos(rotation), q = std::sin(rotation);
-                sum += radiance({c * d.x - q * d.z, d.y, q * d.x + c * d.z}) * std::max(glm::dot(d, n), 0.0);
+                sum += radiance({c * d.x - q * d.z, d.y, q * d.x + c * d.z}) *
+                       std::max(glm::dot(d, n), 0.0);
             }
         }
         return sum * 4 * pi / (2.0 * steps * steps);
@@ -53,7 +55,8 @@ protected:
         d.width = width, d.height = height, d.pixels = p.pixels.data(), d.rotation = rotation;
         stage.check(gpSetEnvironment(stage.scene, &d));
     }
-    static void expectIrradiance(const Panorama& panorama, glm::vec3 n, float rotation, uint32_t samples) {
+    static void expectIrradiance(const Panorama& panorama, glm::vec3 n, float rotation,
+                                 uint32_t samples) {
         Stage stage(GetParam());
         surround(stage, panorama, rotation);
         const glm::vec3 other = std::abs(n.y) > 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -79,14 +82,16 @@ TEST_P(Environments, UniformIsPiTimesItsRadiance) {
     Triangles plane;
     plane.quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
     stage.add(plane, stage.lambert(glm::vec3(0.5f)));
-    expectMean(stage.render(8, 8, lookFrom({0, 0, 0}, {0, 1, 0}, 1, 0.5f), stage.options(effort(512))),
-               glm::dvec3(0.5, 0.25, 1));
+    expectMean(
+        stage.render(8, 8, lookFrom({0, 0, 0}, {0, 1, 0}, 1, 0.5f), stage.options(effort(512))),
+        glm::dvec3(0.5, 0.25, 1));
 }
 
 TEST_P(Environments, CosineLobeImage) {
     Panorama p;
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) p.at(x, y) = std::max(0.0f, std::cos(float(pi) * (float(y) + 0.5f) / height));
+        for (int x = 0; x < width; ++x)
+            p.at(x, y) = std::max(0.0f, std::cos(float(pi) * (float(y) + 0.5f) / height));
     // Of max(cos, 0) itself: 2 pi / 3; the image is coarse.
     EXPECT_NEAR(p.irradiance({0, 1, 0}, 0), 2 * pi / 3, 0.02);
     expectIrradiance(p, {0, 1, 0}, 0, 768);
@@ -122,7 +127,8 @@ TEST_P(Environments, TexelsAreSeenWhereTheyAre) {
     EXPECT_NEAR(seen({0, 0, 1}, 0), 0, 1e-3);
     EXPECT_NEAR(seen({-1, 0, 0}, float(pi / 2)), 1, 1e-3);  // turned counter-clockwise: -Z to -X
     const double phi = 2 * pi * (24.5 / width - 0.5), theta = pi * 2.5 / height;
-    const glm::dvec3 bright(std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi));
+    const glm::dvec3 bright(std::sin(theta) * std::sin(phi), std::cos(theta),
+                            -std::sin(theta) * std::cos(phi));
     EXPECT_NEAR(seen(bright, 0), 5, 5e-3);
     EXPECT_NEAR(seen(bright * glm::dvec3(-1, 1, 1), 0), 0, 1e-3);
 }

@@ -14,7 +14,7 @@ class FrameImages : public ::testing::TestWithParam<Variant> {};
 TEST_P(FrameImages, GuidesOfAKnownSurfaceAreExact) {
     Stage stage(GetParam());
     Triangles left, right;
-    left.quad({-1, -1, 0.5f}, {1, 0, 0}, {0, 2, 0});    // z = 0.5, faces +z
+    left.quad({-1, -1, 0.5f}, {1, 0, 0}, {0, 2, 0});  // z = 0.5, faces +z
     right.quad({0.25f, -1, 0}, {0.5f, 0, -0.5f}, {0, 2, 0});
     GpMaterialDesc d = lambertDesc({0.25f, 0.5f, 0.75f});
     d.roughness = 0.4f;
@@ -40,7 +40,8 @@ TEST_P(FrameImages, GuidesOfAKnownSurfaceAreExact) {
     EXPECT_NEAR(depth[l], 2.5f, 1e-5f);
     EXPECT_EQ(instance[l], 1u);
     EXPECT_EQ(color[l].w, 1);
-    EXPECT_LT(glm::length(glm::vec3(normal[r]) - glm::vec3(std::sqrt(0.5f), 0, std::sqrt(0.5f))), 1e-4f);
+    EXPECT_LT(glm::length(glm::vec3(normal[r]) - glm::vec3(std::sqrt(0.5f), 0, std::sqrt(0.5f))),
+              1e-4f);
     EXPECT_NEAR(depth[r], 3.125f, 0.07f);  // at the pixel's middle; samples lie around it
     EXPECT_EQ(instance[r], 2u);
     if (full) {  // plain-diffuse surfaces have neither
@@ -87,13 +88,14 @@ TEST_P(FrameImages, ColorIsTheSumOfItsParts) {
     for (size_t i = 0; i < 256; ++i) {
         const glm::vec3 sum(emission[i] + direct[i] + indirect[i]);
         EXPECT_LT(glm::length(sum - glm::vec3(color[i])), 1e-5f * (1 + glm::length(sum))) << i;
-        sums[0] += glm::vec3(emission[i]), sums[1] += glm::vec3(direct[i]), sums[2] += glm::vec3(indirect[i]);
+        sums[0] += glm::vec3(emission[i]), sums[1] += glm::vec3(direct[i]),
+            sums[2] += glm::vec3(indirect[i]);
     }
     for (const glm::vec3 sum : sums) EXPECT_GT(sum.x, 1);
 }
 
-// Veils that let half the rays through by chance before a bright surrounding: noise without any order,
-// of which variances must tell the exact amount.
+// Veils that let half the rays through by chance before a bright surrounding: noise without any
+// order, of which variances must tell the exact amount.
 void furnishVeils(Stage& stage) {
     GpMaterialDesc d = lambertDesc({0.2f, 0.3f, 0.1f});
     d.alphaMode = GP_ALPHA_BLEND, d.baseColor[3] = 0.5f;

@@ -1,5 +1,5 @@
-// In a uniform surrounding of radiance 1 a surface shows its albedo: white diffuse and lossless glass
-// vanish, nothing is brighter than 1, and single scattering loses no more than is documented.
+// In a uniform surrounding of radiance 1 a surface shows its albedo: white diffuse and lossless
+// glass vanish, nothing is brighter than 1, and single scattering loses no more than is documented.
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ struct MaterialCase {
     std::function<void(GpMaterialDesc&)> change;
 };
 
-// The least values: what GGX without multiple scattering keeps, for metals by quadrature (glossy_test
-// compares exactly) and a little less where layers lie above each other.
+// The least values: what GGX without multiple scattering keeps, for metals by quadrature
+// (glossy_test compares exactly) and a little less where layers lie above each other.
 const MaterialCase materials[] = {
     {"smooth metal", 0.995,
      [](GpMaterialDesc& d) { d.metallic = 1, d.given |= GP_GIVEN_ROUGHNESS; }},
@@ -47,7 +47,11 @@ const MaterialCase materials[] = {
      [](GpMaterialDesc& d) { put(d.sheenColor, glm::vec3(1)), d.sheenRoughness = 0.5f; }},
     {"anisotropic metal", 0.69,
      [](GpMaterialDesc& d) { d.metallic = 1, d.roughness = 0.4f, d.anisotropy = 0.8f; }},
-    {"iridescent", 0.80, [](GpMaterialDesc& d) { d.iridescence = 1; d.roughness = 0.3f; }},
+    {"iridescent", 0.80,
+     [](GpMaterialDesc& d) {
+         d.iridescence = 1;
+         d.roughness = 0.3f;
+     }},
     {"thin rough glass", 0.75, [](GpMaterialDesc& d) { d.transmission = 1, d.roughness = 0.4f; }},
     {"solid rough glass", 0.70,
      [](GpMaterialDesc& d) { d.transmission = 1, d.roughness = 0.3f, d.solid = 1; }},

@@ -1,5 +1,5 @@
-// Glossy surfaces: what a rectangle shows in them against integration of the reflectance over it, and
-// white metals in a furnace against integration over the hemisphere.
+// Glossy surfaces: what a rectangle shows in them against integration of the reflectance over it,
+// and white metals in a furnace against integration over the hemisphere.
 #include "shading/shading.h"
 
 #include <cmath>
@@ -33,11 +33,16 @@ class Glossy : public ::testing::TestWithParam<Variant> {};
 
 // Small lights are found by shadow rays, large ones in smooth metal by the metal's own rays.
 TEST_P(Glossy, RectanglesInMetal) {
-    struct Case { float roughness, size; uint32_t samples; };
+    struct Case {
+        float roughness, size;
+        uint32_t samples;
+    };
     const glm::vec3 color(0.9f, 0.6f, 0.3f), wo = glm::normalize(glm::vec3(-0.5f, 0, 1));
-    for (const Case c : {Case{0.3f, 0.1f, 256}, Case{0.3f, 2, 640}, Case{0.1f, 2, 256}, Case{0.6f, 0.5f, 512}}) {
+    for (const Case c :
+         {Case{0.3f, 0.1f, 256}, Case{0.3f, 2, 640}, Case{0.1f, 2, 256}, Case{0.6f, 0.5f, 512}}) {
         // The plane z = 0, the light above, a little off the mirror direction; it shines downwards.
-        const glm::dvec3 corner(0.5 - 0.45 * c.size, -0.4 * c.size, 1), u(0, c.size, 0), v(c.size, 0, 0);
+        const glm::dvec3 corner(0.5 - 0.45 * c.size, -0.4 * c.size, 1), u(0, c.size, 0),
+            v(c.size, 0, 0);
         const shading::BsdfParams m = metal(c.roughness, color);
         constexpr int steps = 600;
         glm::dvec3 expected(0);
@@ -54,12 +59,14 @@ TEST_P(Glossy, RectanglesInMetal) {
         stage.add(plane, stage.material(metalDesc(c.roughness, color)));
         GpLightDesc light{};
         light.kind = GP_LIGHT_RECTANGLE, light.intensity = 2;
-        put(light.position, glm::vec3(corner)), put(light.edgeU, glm::vec3(u)), put(light.edgeV, glm::vec3(v));
+        put(light.position, glm::vec3(corner)), put(light.edgeU, glm::vec3(u)),
+            put(light.edgeV, glm::vec3(v));
         stage.light(light);
         GpRenderOptions o = stage.options(effort(c.samples));
         o.maxBounces = GP_NO_BOUNCES;
         const Picture p = stage.render(8, 8, lookFrom({0, 0, 0}, wo, 0.1f, 1e-3f), o);
-        expectMean(p, 2.0 * expected, "roughness " + std::to_string(c.roughness) + " size " + std::to_string(c.size));
+        expectMean(p, 2.0 * expected,
+                   "roughness " + std::to_string(c.roughness) + " size " + std::to_string(c.size));
     }
 }
 
@@ -74,7 +81,9 @@ TEST_P(Glossy, WhiteMetalsShowTheirAlbedo) {
                 for (int i = 0; i < 2 * steps; ++i) {
                     const float z = (float(j) + 0.5f) / steps, s = std::sqrt(1 - z * z);
                     const float phi = float(pi) * (float(i) + 0.5f) / steps;
-                    albedo += double(shading::bsdf_eval(m, wo, {s * std::cos(phi), s * std::sin(phi), z}).f_cos.x);
+                    albedo +=
+                        double(shading::bsdf_eval(m, wo, {s * std::cos(phi), s * std::sin(phi), z})
+                                   .f_cos.x);
                 }
             albedo *= 2 * pi / (2.0 * steps * steps);
             Stage stage(GetParam());
@@ -82,8 +91,9 @@ TEST_P(Glossy, WhiteMetalsShowTheirAlbedo) {
             plane.quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0});
             stage.add(plane, stage.material(metalDesc(roughness, glm::vec3(1))));
             stage.surround(glm::vec3(1));
-            expectMean(stage.render(8, 8, lookFrom({0, 0, 0}, wo, 1, 0.1f), stage.options(effort(2048))), albedo,
-                       "roughness " + std::to_string(roughness));
+            expectMean(
+                stage.render(8, 8, lookFrom({0, 0, 0}, wo, 1, 0.1f), stage.options(effort(2048))),
+                albedo, "roughness " + std::to_string(roughness));
         }
     }
 }

@@ -37,7 +37,8 @@ protected:
     }
     // A patch of a millimetre in the middle, seen from a hand's breadth above.
     Picture look(uint32_t samples, int32_t bounces = GP_NO_BOUNCES) {
-        const GpCameraDesc camera = lookFrom({0, 0, 0}, {0.2672612f, 0.8017837f, 0.5345225f}, 0.1f, 1e-3f);
+        const GpCameraDesc camera =
+            lookFrom({0, 0, 0}, {0.2672612f, 0.8017837f, 0.5345225f}, 0.1f, 1e-3f);
         GpRenderOptions o = stage().options(effort(samples));
         o.maxBounces = bounces;
         return stage().render(8, 8, camera, o);
@@ -80,7 +81,8 @@ TEST_P(Lights, DirectionalDiskAtTheHorizon) {
     double projected = 0;
     for (int i = 0; i < n; ++i) {
         const double t = (i + 0.5) * r / n;
-        projected += std::sin(t) * std::sin(t) * 2 * r / n;  // integral over phi of max(sin phi, 0) = 2
+        projected +=
+            std::sin(t) * std::sin(t) * 2 * r / n;  // integral over phi of max(sin phi, 0) = 2
     }
     expectIrradiance(3 / (pi * std::sin(r) * std::sin(r)) * projected, 6144, "half a disk");
 }
@@ -120,8 +122,9 @@ TEST_P(Lights, SpotInsideBetweenAndOutside) {
             d.innerAngle = float(inner), d.outerAngle = float(outer), d.radius = radius;
             stage().light(d);
             // [KHR_lights_punctual, "Inner and Outer Cone Angles"]
-            const double share = std::clamp((std::cos(angle) - std::cos(outer)) /
-                                            (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+            const double share = std::clamp(
+                (std::cos(angle) - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0,
+                1.0);
             expectIrradiance(5.0 / 4 * share * share, radius > 0 ? 128 : 4, "spot");
         }
     }
@@ -179,8 +182,8 @@ TEST_P(Lights, AllAtOnce) {
     const double formRectangle = polygonIrradiance(quadPolygon(corner, u, v), up);
     const double formQuad = polygonIrradiance(quadPolygon(corner + aside, u, v), up);
     const double expected = 0.5 * (pi - formSphere - formRectangle - formQuad) +
-        2 / std::sqrt(1 + 0.04 + 0.64) + 3 / (pi * 0.09) * formSphere + 1.5 + 2 * formRectangle +
-        3 * formQuad;
+                            2 / std::sqrt(1 + 0.04 + 0.64) + 3 / (pi * 0.09) * formSphere + 1.5 +
+                            2 * formRectangle + 3 * formQuad;
     expectIrradiance(expected, 2048, "all");
 }
 

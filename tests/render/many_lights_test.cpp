@@ -1,5 +1,5 @@
-// Ten thousand emissive quads over a plane: the sum of their closed forms, with much less noise than
-// a choice without regard to distance would make. Textured emission.
+// Ten thousand emissive quads over a plane: the sum of their closed forms, with much less noise
+// than a choice without regard to distance would make. Textured emission.
 #include <cmath>
 #include <random>
 
@@ -34,11 +34,14 @@ TEST_P(ManyLights, MeanIsTheSumAndNoiseIsLow) {
     std::uniform_real_distribution<float> random(0, 1);
     double sum = 0, squares = 0;  // over all triangles
     for (int i = 0; i < side * side; ++i) {
-        const float angle = 6.2831853f * random(generator), half = cell * (0.1f + 0.24f * random(generator));
+        const float angle = 6.2831853f * random(generator),
+                    half = cell * (0.1f + 0.24f * random(generator));
         const int kind = std::min(int(kinds * random(generator)), kinds - 1);
-        const glm::vec3 u(2 * half * std::cos(angle), 0, 2 * half * std::sin(angle)), v(-u.z, 0, u.x);
+        const glm::vec3 u(2 * half * std::cos(angle), 0, 2 * half * std::sin(angle)),
+            v(-u.z, 0, u.x);
         // All in one plane, so that none hides another.
-        const glm::vec3 centre((float(i % side) - 49.5f) * cell, 1, (float(i / side) - 49.5f) * cell);
+        const glm::vec3 centre((float(i % side) - 49.5f) * cell, 1,
+                               (float(i / side) - 49.5f) * cell);
         const glm::vec3 corner = centre - 0.5f * (u + v);
         lamps[kind].quad(corner, u, v);
         for (const glm::vec3 p : {u, v}) {
@@ -54,7 +57,8 @@ TEST_P(ManyLights, MeanIsTheSumAndNoiseIsLow) {
     // One of n triangles at random, its light times n: at least this variance of one sample.
     const double n = 2.0 * side * side, uniform = (n * squares - sum * sum) / (pi * pi);
     double variance = 0;
-    for (const glm::vec4& v : p.variance) variance += double(v.x) * effort(4096) / double(p.variance.size());
+    for (const glm::vec4& v : p.variance)
+        variance += double(v.x) * effort(4096) / double(p.variance.size());
     EXPECT_LT(variance, uniform / 8);
 }
 
@@ -69,7 +73,8 @@ TEST_P(ManyLights, BlackPartsOfATextureSendNothing) {
     put(d.emission, {3, 2, 1});
     d.emissionTexture.texture = stage.texture(texture);
     stage.add(lamp, stage.material(d));
-    const double form = polygonIrradiance(quadPolygon({-1.2, 1, -0.4}, {0.8, 0, 0}, {0, 0, 1}), {0, 1, 0});
+    const double form =
+        polygonIrradiance(quadPolygon({-1.2, 1, -0.4}, {0.8, 0, 0}, {0, 0, 1}), {0, 1, 0});
     expectMean(look(4096), glm::dvec3(3, 2, 1) * form / pi);
 }
 

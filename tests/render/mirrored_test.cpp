@@ -15,7 +15,8 @@ class Mirrored : public ::testing::TestWithParam<Variant> {};
 void furnish(Stage& stage, bool byTransform) {
     const float flip = byTransform ? 1.0f : -1.0f;
     const float mirror[12] = {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    const uint8_t bumps[16] = {200, 128, 220, 255, 128, 60, 220, 255, 90, 150, 230, 255, 128, 128, 255, 255};
+    const uint8_t bumps[16] = {200, 128, 220, 255, 128, 60,  220, 255,
+                               90,  150, 230, 255, 128, 128, 255, 255};
     const auto add = [&](Triangles t, GpMaterial m) {
         if (!byTransform) {  // mirrored by hand: x negated, the winding turned
             for (glm::vec3& p : t.positions) p.x *= flip;
@@ -33,7 +34,8 @@ void furnish(Stage& stage, bool byTransform) {
     lump.sphere({-0.5f, 0, 0.1f}, 0.5f, 8, false, true);
     plate.quad({0, -0.8f, 0.2f}, {0.9f, 0.1f, -0.3f}, {0.2f, 0.9f, -0.2f});
     GpTextureDesc texture{};
-    texture.width = texture.height = 2, texture.pixels = bumps, texture.colorSpace = GP_COLOR_LINEAR;
+    texture.width = texture.height = 2, texture.pixels = bumps,
+    texture.colorSpace = GP_COLOR_LINEAR;
     texture.noMipmaps = 1;
     GpMaterialDesc bumpy = lambertDesc(glm::vec3(0.8f));
     bumpy.normalTexture.texture = stage.texture(texture);
@@ -73,15 +75,18 @@ TEST_P(Mirrored, BacksReflectAsFrontsDo) {
     for (const bool turned : {false, true}) {
         Stage stage(GetParam());
         Triangles t;
-        if (turned) t.quad({-1, -1, 0}, {0, 2, 0}, {2, 0, 0});
-        else t.quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+        if (turned)
+            t.quad({-1, -1, 0}, {0, 2, 0}, {2, 0, 0});
+        else
+            t.quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
         stage.add(t, stage.lambert({0.7f, 0.5f, 0.3f}));
         GpLightDesc sun{};
         sun.intensity = 2;
         put(sun.direction, {0, 0.6f, -0.8f});
         stage.light(sun);
         expectMean(stage.render(4, 4, lookFrom({0, 0, 0}, {0, 0, 1}, 1, 0.5f), stage.options(4)),
-                   glm::dvec3(0.7, 0.5, 0.3) * (2 * 0.8 / 3.14159265358979), turned ? "back" : "front");
+                   glm::dvec3(0.7, 0.5, 0.3) * (2 * 0.8 / 3.14159265358979),
+                   turned ? "back" : "front");
     }
 }
 

@@ -33,7 +33,8 @@ protected:
 glm::dvec3 slab(double ior, glm::dvec3 through) {
     const double r = (ior - 1) / (ior + 1), f = r * r;
     const glm::dvec3 series = 1.0 / (1.0 - f * f * through * through);
-    return (1 - f) * (1 - f) * through * series + f + (1 - f) * (1 - f) * f * through * through * series;
+    return (1 - f) * (1 - f) * through * series + f +
+           (1 - f) * (1 - f) * f * through * through * series;
 }
 
 TEST_P(Refraction, SlabAbsorbsByBeerAndLambert) {
@@ -57,13 +58,14 @@ TEST_P(Refraction, SlabAbsorbsByBeerAndLambert) {
 }
 
 // A right-angled prism seen through one leg: beyond the critical angle all light turns to the other
-// leg, where (1 - F) of it comes in; what is reflected there goes to and fro: (1 - F)^2 / (1 - F^2).
+// leg, where (1 - F) of it comes in; what is reflected there goes to and fro: (1 - F)^2 / (1 -
+// F^2).
 TEST_P(Refraction, PrismReflectsTotally) {
     Triangles t;
     const glm::vec3 a(0, 0, -4), z(0, 0, 8), x(1, 0, 0), y(0, 1, 0);
-    t.quad(a, z, y);                                // leg at x = 0, front: -x
-    t.quad(a, x, z);                                // leg at y = 0, front: -y
-    t.quad(a + x, y - x, z);                        // hypotenuse, front: x + y
+    t.quad(a, z, y);          // leg at x = 0, front: -x
+    t.quad(a, x, z);          // leg at y = 0, front: -y
+    t.quad(a + x, y - x, z);  // hypotenuse, front: x + y
     const glm::vec3 ends[] = {a, a + y, a + x, a + z, a + z + x, a + z + y};
     for (const glm::vec3 p : ends) t.positions.push_back(p), t.uv0.emplace_back(0);
     stage.add(t, glass(1.5f));
@@ -89,25 +91,29 @@ TEST_P(Refraction, InsideOfGlassRadianceIsDenser) {
 TEST_P(Refraction, TiltedSlabShiftsBySnell) {
     const double n = 1.5, thickness = 1, angle = 0.7, inner = std::asin(std::sin(angle) / n);
     const double shift = thickness * std::sin(angle - inner) / std::cos(inner);
-    const glm::dvec3 normal(std::sin(angle), 0, std::cos(angle)), across(std::cos(angle), 0, -std::sin(angle));
+    const glm::dvec3 normal(std::sin(angle), 0, std::cos(angle)),
+        across(std::cos(angle), 0, -std::sin(angle));
     Triangles t;
     const auto quad = [&](glm::dvec3 c, glm::dvec3 u, glm::dvec3 v) {
         t.quad(glm::vec3(c), glm::vec3(u), glm::vec3(v));
     };
     const glm::dvec3 u = 10.0 * across, v(0, 10, 0), w = thickness * normal, c = -0.5 * (u + v + w);
-    quad(c + w, u, v), quad(c, v, u), quad(c, w, v), quad(c + u, v, w), quad(c, u, w), quad(c + v, w, u);
+    quad(c + w, u, v), quad(c, v, u), quad(c, w, v), quad(c + u, v, w), quad(c, u, w),
+        quad(c + v, w, u);
     stage.add(t, glass(float(n)));
     // The camera's rays travel to -z; behind the slab they are displaced along x by -shift.
     Triangles lamp;
     const double pixel = 1.0 / 8;
     const glm::dvec3 centre(-shift + 2.5 * pixel, -0.5 * pixel, -8);
-    lamp.quad(glm::vec3(centre - glm::dvec3(pixel / 2, pixel / 2, 0)), {float(pixel), 0, 0}, {0, float(pixel), 0});
+    lamp.quad(glm::vec3(centre - glm::dvec3(pixel / 2, pixel / 2, 0)), {float(pixel), 0, 0},
+              {0, float(pixel), 0});
     stage.add(lamp, stage.lambert(glm::vec3(0), glm::vec3(1)));
     const Picture p = look(lookFrom({0, 0, 0}, {0, 0, 1}, 8, 1), 64);
     glm::dvec2 middle(0);
     double sum = 0;
     for (uint32_t y = 0; y < 8; ++y)
-        for (uint32_t x = 0; x < 8; ++x) middle += double(p.at(x, y).x) * glm::dvec2(x, y), sum += p.at(x, y).x;
+        for (uint32_t x = 0; x < 8; ++x)
+            middle += double(p.at(x, y).x) * glm::dvec2(x, y), sum += p.at(x, y).x;
     EXPECT_GT(sum, 0.7);
     EXPECT_NEAR(middle.x / sum, 6, 0.1);
     EXPECT_NEAR(middle.y / sum, 4, 0.1);

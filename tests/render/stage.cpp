@@ -102,7 +102,8 @@ void expectMean(const Picture& picture, glm::dvec3 expected, const std::string& 
     const glm::dvec3 mean = picture.mean(), sigma = picture.sigma();
     for (int c = 0; c < 3; ++c) {
         if (expected[c] > 0) {
-            EXPECT_LT(4 * sigma[c], 0.01 * expected[c]) << what << ": too few samples, channel " << c;
+            EXPECT_LT(4 * sigma[c], 0.01 * expected[c])
+                << what << ": too few samples, channel " << c;
         }
         EXPECT_NEAR(mean[c], expected[c], 4 * sigma[c] + rounding * expected[c])
             << what << ": channel " << c << ", sigma " << sigma[c] << ", ratio "

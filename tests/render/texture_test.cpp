@@ -29,10 +29,11 @@ protected:
         d.noMipmaps = 1;
         return d;
     }
-    // The square [0, 1]^2 shows the texture as it is; texture coordinates are x and y, times `scale`.
-    static Picture look(const GpTextureDesc& texture, uint32_t width, uint32_t height, uint32_t samples,
-                        float scale = 1, const float* transform = nullptr, uint32_t set = 0,
-                        float radius = 0.001f) {
+    // The square [0, 1]^2 shows the texture as it is; texture coordinates are x and y, times
+    // `scale`.
+    static Picture look(const GpTextureDesc& texture, uint32_t width, uint32_t height,
+                        uint32_t samples, float scale = 1, const float* transform = nullptr,
+                        uint32_t set = 0, float radius = 0.001f) {
         Stage stage(GetParam());
         Triangles t;
         t.quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -51,11 +52,12 @@ protected:
         GpRenderOptions o = stage.options(samples);
         o.pixelFilter = GP_PIXEL_BOX, o.pixelFilterRadius = radius;  // the pixel's middle
         GpCameraDesc c = lookFrom({0.5f, 0.5f, 0}, {0, 0, 1}, 1, 1);
-        c.orthographicHeight = float(height) / float(width) ;
+        c.orthographicHeight = float(height) / float(width);
         return stage.render(width, height, c, o);
     }
     static void expectColor(glm::vec3 got, glm::vec3 wanted, int x, int y) {
-        EXPECT_LT(glm::length(got - wanted), 0.01f) << x << ", " << y << ": " << got.x << ", " << got.y;
+        EXPECT_LT(glm::length(got - wanted), 0.01f)
+            << x << ", " << y << ": " << got.x << ", " << got.y;
     }
 };
 
@@ -75,7 +77,8 @@ TEST_P(Textures, NearestTexelsAndWraps) {
         };
         for (int y = 0; y < 12; ++y)
             for (int x = 0; x < 12; ++x)
-                expectColor(p.at(uint32_t(x), uint32_t(y)), t.at(wrapped(x - 4, 4), wrapped(y / 2 - 2, 2)), x, y);
+                expectColor(p.at(uint32_t(x), uint32_t(y)),
+                            t.at(wrapped(x - 4, 4), wrapped(y / 2 - 2, 2)), x, y);
     }
 }
 
@@ -87,7 +90,8 @@ TEST_P(Textures, LinearBetweenTexels) {
     for (uint32_t y = 0; y < 16; ++y)
         for (uint32_t x = 0; x < 16; ++x) {
             const float u = (float(x) + 0.5f) / 4 - 0.5f, v = (float(y) + 0.5f) / 8 - 0.5f;
-            expectColor(p.at(x, y), {std::clamp(u, 0.0f, 3.0f) + 1, std::clamp(v, 0.0f, 1.0f) + 1, 0.5f},
+            expectColor(p.at(x, y),
+                        {std::clamp(u, 0.0f, 3.0f) + 1, std::clamp(v, 0.0f, 1.0f) + 1, 0.5f},
                         int(x), int(y));
         }
 }
@@ -109,7 +113,9 @@ TEST_P(Textures, SrgbIsDecodedAndAlphaIsNot) {
     GpTextureDesc d{};
     d.width = d.height = 1, d.pixels = grey;
     // IEC 61966-2-1.
-    const auto decoded = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    const auto decoded = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
     const Picture p = look(d, 2, 2, 1);
     EXPECT_NEAR(p.at(0, 0).x, decoded(188 / 255.0), 1e-5);
     EXPECT_NEAR(p.at(1, 1).y, decoded(55 / 255.0), 1e-5);
@@ -122,7 +128,8 @@ TEST_P(Textures, CheckersFarAwayAverage) {
     std::vector<uint8_t> checker(64 * 64 * 4);
     for (size_t y = 0; y < 64; ++y)
         for (size_t x = 0; x < 64; ++x)
-            for (size_t c = 0; c < 4; ++c) checker[(y * 64 + x) * 4 + c] = c == 3 || (x + y) % 2 ? 255 : 0;
+            for (size_t c = 0; c < 4; ++c)
+                checker[(y * 64 + x) * 4 + c] = c == 3 || (x + y) % 2 ? 255 : 0;
     for (const GpFilter filter : {GP_FILTER_LINEAR, GP_FILTER_NEAREST})
         for (const float repeats : {0.25f, 1.0f, 3.0f, 20.0f}) {
             GpTextureDesc d{};
