@@ -1,0 +1,160 @@
+"""results.md from the numbers: what was to be reached, what was reached, said plainly."""
+
+TARGET_RATIO = 0.45      # of bare Embree, textured glTF scene with environment light
+TARGET_CYCLES = 2.0      # times Cycles' samples a second
+TARGET_DIFFUSE = 2.38    # Msamples/s, Embree's tutorial path tracer on Zdm2, paths of length 2
+TARGET_MEMORY = 1.5      # times (geometry + textures + Embree's own)
+# Textured, lit by an environment picture: those that the first target speaks of.
+TEXTURED = ("DamagedHelmet", "DutchShipMedium", "FlightHelmet")
+
+
+def number(m, digits=2):
+    """Median and spread, as text."""
+    if m.get("runs", 1) == 1 or "least" not in m:
+        return f"{m['value']:.{digits}f}"
+    return f"{m['value']:.{digits}f} ({m['least']:.{digits}f}..{m['most']:.{digits}f})"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return lines + ["| " + " | ".join(row) + " |" for row in rows] + [""]
+
+
+def verdict(met):
+    return "yes" if met else "**no**"
+
+
+def target_rows(results):
+    rows = []
+    for name, r in results["rays"].items():
+        if name in TEXTURED:
+            rows.append([f"{name}: renderer against bare Embree, same rays",
+                         f">= {TARGET_RATIO:.0%}", f"{r['ratio']['value']:.0%}",
+                         verdict(r["ratio"]["value"] >= TARGET_RATIO)])
+    for name, c in results.get("cycles", {}).items():
+        rows.append([f"{name}: samples a second against Cycles", f">= {TARGET_CYCLES:.1f} x",
+                     f"{c['ratio']['value']:.2f} x",
+                     verdict(c["ratio"]["value"] >= TARGET_CYCLES)])
+    if "plain_diffuse" in results:
+        reached = results["plain_diffuse"]["environment_and_sun"]["value"]
+        rows.append(["Zdm2, plain diffuse, paths of length 2", f">= {TARGET_DIFFUSE} Msamples/s",
+                     f"{reached:.2f} Msamples/s", verdict(reached >= TARGET_DIFFUSE)])
+    for name, m in results["memory"].items():
+        if "ratio" in m:
+            rows.append([f"{name}: peak memory", f"<= {TARGET_MEMORY} x",
+                         f"{m['ratio']['value']:.2f} x",
+                         verdict(m["ratio"]["value"] <= TARGET_MEMORY)])
+    return rows
+
+
+def rays_part(results):
+    rows = []
+    for name, r in results["rays"].items():
+        e = r["embree"]
+        rows.append([name, str(r["bounces"]), number(r["renderer"], 1)]
+                    + [number(e[k], 1) if k in e else "-"
+                       for k in ("mixed", "camera", "bounce", "shadow", "camera_packets")]
+                    + [f"{r['ratio']['value']:.0%}", f"{r['ratio_of_core_seconds']['value']:.0%}"])
+    return ["## Rays a second", "",
+            "The whole renderer (640 x 360, full materials), and bare `rtcIntersect1` and",
+            "`rtcOccluded1` over the rays recorded from that very render, in its proportions, in",
+            "turns in one process. Mrays/s: median (least..most). Packets are for information: the",
+            "renderer sends its camera rays so; the ceiling (mixed) has them one by one. The last",
+            "column is the same ratio of seconds that threads computed.", ""] + table(
+        ["scene", "bounces", "renderer", "Embree, mixed", "camera", "bounce", "shadow",
+         "camera, packets", "renderer / mixed", "by core-seconds"], rows)
+
+
+def cycles_part(results):
+    if "cycles" not in results:
+        return []
+    rows = []
+    for name, c in results["cycles"].items():
+        other = c["other_limit"]
+        rows.append([name, str(c["bounces"]), number(c["glitterpath"]), number(c["cycles"]),
+                     number(c["cycles_samples_alone"]), number(c["ratio"]),
+                     number(c["ratio_of_core_seconds"]), rays_a_sample(c["rays"]),
+                     f"{number(other['glitterpath'])}, {rays_a_sample(other['rays'])} rays"
+                     f" ({other['bounces']})"])
+    samples = next(iter(results["cycles"].values()))["samples_per_pixel"]
+    return ["## Against Cycles (Blender)", "",
+            f"640 x 360, {samples} samples, environment picture and sun, the same camera, runs in",
+            "turns. Msamples/s: median (least..most).", "",
+            "- Bounces: Cycles' paths end after 1 diffuse and 1 glossy bounce, at most 2 together.",
+            "  Our paths have one limit for all: 1 in Zdm2, where everything is matte and the",
+            "  paths are the same; 2 elsewhere, which follows every path of Cycles and also",
+            "  diffuse to diffuse and glossy to glossy: more work for us, not less. The last",
+            "  column has the other limit, and how many rays a sample took.",
+            "- Cycles' seconds include synchronising and saving each picture; ours do not. So one",
+            "  more run with 1 sample is taken off Cycles' time (\"samples alone\"), and the ratio",
+            "  is that to the faster figure.",
+            "- The ratio of core-seconds counts what the threads computed, samples alone, for",
+            "  both; other programs on the machine change it less.", ""] + table(
+        ["scene", "bounces", "Glitterpath", "Cycles", "Cycles, samples alone", "ratio",
+         "ratio, core-seconds", "our rays a sample", "other limit"], rows)
+
+
+def rays_a_sample(rays):
+    return f"{rays['total'] / rays['camera']:.2f}"
+
+
+def diffuse_part(results):
+    if "plain_diffuse" not in results:
+        return []
+    rows = [[name.replace("_", " "), number(m)] for name, m in results["plain_diffuse"].items()]
+    return ["## Plain diffuse, paths of length 2, Zdm2", "",
+            "`--shading diffuse --bounces 1`; Embree's own tutorial path tracer reached",
+            f"{TARGET_DIFFUSE} Msamples/s on the reference machine.", ""] + table(
+        ["light", "Msamples/s"], rows)
+
+
+def build_part(results):
+    rows = [[name, f"{b['triangles']:,}"] + [number(b[k], 1) for k in (
+        "static_ms", "dynamic_rebuild_ms", "dynamic_refit_ms")]
+        for name, b in results["build_times"].items()]
+    return ["## Build times", "",
+            "Milliseconds to bring the backend's scene up to date with one mesh: static (high",
+            "quality), dynamic with new topology (low quality), dynamic with moved vertices",
+            "(refit). `waves_N` are generated.", ""] + table(
+        ["mesh", "triangles", "static", "rebuild", "refit"], rows)
+
+
+def scaling_part(results):
+    rows = []
+    for name, rates in results["scaling"].items():
+        one = rates["1"]["value"]
+        rows += [[name, threads, number(m), f"{m['value'] / one:.2f}"]
+                 for threads, m in rates.items()]
+    return ["## Threads", ""] + table(["scene", "threads", "Msamples/s", "against one"], rows)
+
+
+def memory_part(results):
+    memory = results["memory"]
+    rows = [[name] + [number(m[k], 1) for k in ("peak", "geometry", "textures", "embree",
+                                                "frame")]
+            + [number(m["ratio"]), number(m["ratio_without_program_and_frame"])]
+            for name, m in memory.items() if "ratio" in m]
+    return ["## Memory", "",
+            "MiB. Peak of the whole process, loading included, against geometry + textures +",
+            "Embree's structures. The program with nearly nothing to render takes",
+            f"{memory['program_alone']['value']:.0f} MiB, which no scene can fall below; the last",
+            "column leaves that and the frame's images out.", ""] + table(
+        ["scene", "peak", "geometry", "textures", "Embree", "frame", "peak / needed",
+         "without program, frame"], rows)
+
+
+def markdown(results):
+    m = results["machine"]
+    lines = ["# Speed, measured", "",
+             "Made by `scripts/bench`" + (" --quick" if results["quick"] else "")
+             + "; all numbers with their units are in `results.json`.", "",
+             f"{m['cpu']}, {m['cores']} cores, {m['memory_gib']} GiB; load average at the start "
+             + ", ".join(f"{x:.2f}" for x in m["load_average_at_start"]) + f"; {m['date']}.", ""]
+    if m["load_average_at_start"][0] > 0.5:
+        lines += ["**The machine was not quiet: rates by the wall's clock are too low, those of",
+                  "core-seconds less so.**", ""]
+    lines += ["## Targets", ""]
+    lines += table(["what", "target", "reached", "met"], target_rows(results))
+    for part in (rays_part, cycles_part, diffuse_part, build_part, scaling_part, memory_part):
+        lines += part(results)
+    return "\n".join(lines)
