@@ -16,5 +16,4 @@ else()
 endif()
 # Header-only packages without a CMake file of their own.
 find_path(GP_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
-find_path(GP_TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
 find_path(GP_XXHASH_INCLUDE xxhash.h REQUIRED)

@@ -452,7 +452,8 @@ typedef enum GpFrameImage {
     GP_IMAGE_DIRECT = 6,    /* RGBA32F  light after one bounce */
     GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT */
     GP_IMAGE_ROUGHNESS = 8, /* RGBA32F  R roughness, G metallic */
-    GP_IMAGE_VARIANCE = 9,  /* RGBA32F  variance of the mean in COLOR */
+    GP_IMAGE_VARIANCE = 9,  /* RGBA32F  variance of the mean in COLOR, as if samples
+                                        were independent: an upper bound */
     GP_IMAGE_INSTANCE = 10, /* R32UI    1 + position of the instance in the scene, 0: nothing */
     GP_IMAGE_COUNT = 11
 } GpFrameImage;
@@ -493,7 +494,7 @@ typedef struct GpProgress {
     double secondsElapsed, secondsRemaining; /* remaining < 0: not known yet */
     uint32_t samplesPerPixel;
     double raysPerSecond;
-    double noise;            /* estimated relative error of the picture; < 0: not known yet */
+    double noise;            /* estimated mean absolute error over the mean; < 0: not known */
 } GpProgress;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the

@@ -32,8 +32,8 @@ public:
     virtual ~Backend() = default;
     virtual std::string name() const = 0;  // for people
     virtual std::unique_ptr<BackendScene> newScene() = 0;
-    // FramePlan::lightVisibility of a scene and camera; the same for the same plan. It only guides the
-    // choice of lights: a wrong one costs noise, never light.
+    // FramePlan::lightVisibility of a scene and camera; the same for the same plan. It only guides
+    // the choice of lights: a wrong one costs noise, never light.
     virtual std::array<float, 3> estimateLightVisibility(const BackendScene& scene,
                                                          const FramePlan& plan) = 0;
     // The path pass: adds samples [first, first + count) to every pixel's sums. Tiles not begun

@@ -69,16 +69,21 @@ void readFrameImage(const FrameImages& images, FrameImage which, void* pixels) {
 }
 
 double estimateNoise(const FrameImages& images) {
-    double variance = 0, mean = 0;
+    double difference = 0, mean = 0;
     size_t known = 0;
     for (const PixelSums& s : images.sums) {
         if (s.samples < 2) continue;
-        variance += shading::luminance(varianceOfMean(s));
-        mean += shading::luminance(glm::vec3(s.color)) / double(s.samples);
+        const uint32_t odd = s.samples / 2, even = s.samples - odd;
+        const float sum = shading::luminance(glm::vec3(s.color));
+        // The picture is about the mean of its halves, and its error of the size of half of what
+        // they differ by.
+        difference += 0.5 * double(std::abs((sum - s.oddLuminance) / float(even) -
+                                            s.oddLuminance / float(odd)));
+        mean += double(sum) / double(s.samples);
         ++known;
     }
     if (known == 0) return -1;
-    return mean > 0 ? std::sqrt(variance * double(known)) / mean : 0;
+    return mean > 0 ? difference / mean : 0;
 }
 
 }  // namespace gp

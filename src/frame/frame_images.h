@@ -24,6 +24,7 @@ struct PixelSums {
     glm::vec3 normal{0};
     float metallic = 0;
     uint32_t instance = 0;
+    float oddLuminance = 0;    // of the samples with odd numbers: half of the picture
 };
 
 enum class FrameImage : uint32_t {
@@ -53,7 +54,9 @@ struct FrameImages {
 // Resolves an image into `pixels`, which has room for pixelCount() * bytesPerPixel.
 void readFrameImage(const FrameImages& images, FrameImage which, void* pixels);
 
-// sqrt(mean variance of the mean) / mean, of luminance; negative below two samples a pixel.
+// The mean absolute error of luminance over its mean, from the difference of the picture's two
+// halves, the even and the odd samples: unlike the spread of single samples it knows that they are
+// stratified, and a few bright outliers do not drown it. Negative below two samples a pixel.
 double estimateNoise(const FrameImages& images);
 
 }  // namespace gp

@@ -54,25 +54,21 @@ EnvironmentSample environment_sample(vec2 u) {
     return s;
 }
 
-struct EnvironmentValue {
-    vec3 radiance;
-    float pdf;  // of environment_sample, 1/sr
-};
-
-// What comes from a direction, and how likely environment_sample would have chosen it.
-EnvironmentValue environment_eval(vec3 direction) {
+// What comes from a direction of the image's own axes.
+vec3 environment_radiance(vec3 direction) {
     LET_REF(FrameConstants) f = load_frame();
-    EnvironmentValue v;
-    v.radiance = f.environment_color;
-    v.pdf = INV_FOUR_PI;
-    if (f.environment_cells == 0u) { return v; }
-    vec3 d = environment_from_world(f, direction);
-    vec2 uv = environment_uv_from_direction(d);
-    float n = float(f.environment_cells);
-    uvec2 cell = min(uvec2(uv * n), uvec2(f.environment_cells - 1u));
-    v.radiance *= load_environment(uv);
-    v.pdf = environment_pdf_from_uv_pdf(load_environment_cell(morton_from_cell(cell)).pdf, d);
-    return v;
+    if (f.environment_cells == 0u) { return f.environment_color; }
+    return f.environment_color * load_environment(environment_uv_from_direction(direction));
+}
+
+// How likely environment_sample would have chosen that direction, 1/sr.
+float environment_pdf(vec3 direction) {
+    LET_REF(FrameConstants) f = load_frame();
+    if (f.environment_cells == 0u) { return INV_FOUR_PI; }
+    vec2 scaled = environment_uv_from_direction(direction) * float(f.environment_cells);
+    uvec2 cell = min(uvec2(scaled), uvec2(f.environment_cells - 1u));
+    float uv_pdf = load_environment_cell(morton_from_cell(cell)).pdf;
+    return environment_pdf_from_uv_pdf(uv_pdf, direction);
 }
 
 #endif

@@ -125,8 +125,8 @@ ShadingPoint diffuse_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 ba
 vec3 read_emission(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     vec3 e = m.emission;
     if ((m.textures & SLOT_EMISSION) != 0u) {
-        // Of the finest level, as shadow rays read it: a wide ray that saw a lamp's mean instead would find
-        // another light than they do, and the weights between the two would not sum up.
+        // Of the finest level, as shadow rays read it: a wide ray that saw a lamp's mean instead
+        // would find another light than they do, and the weights between the two would not sum up.
         Surface finest = s;
         finest.lod = FINEST_LEVEL;
         e *= vec3(read_slot(m.emission_slot, finest, u_lod));

@@ -90,13 +90,12 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
     LET_REF(FrameConstants) f = load_frame();
     vec3 light = vec3(0.0f);
     if (f.environment_power > 0.0f) {
-        EnvironmentValue e = environment_eval(direction);
-        float w = 1.0f;
+        vec3 d = environment_from_world(f, direction);
+        light = environment_radiance(d);
         if (from.pdf > 0.0f) {
-            w = mis_power(from.pdf,
-                          from.groups.environment / light_groups_sum(from.groups) * e.pdf);
+            float chosen = from.groups.environment / light_groups_sum(from.groups);
+            light *= mis_power(from.pdf, chosen * environment_pdf(d));
         }
-        light = e.radiance * w;
     }
     for (uint i = 0u; i < f.directional_lights; ++i) {
         LET_REF(LightRecord) record = load_light(i);
@@ -179,9 +178,10 @@ Ray shadow_ray(IN(Surface) s, IN(LightSample) light) {
     return ray;
 }
 
-// The shadow ray of a surface. Returns reflected radiance, without the path's throughput.
+// The shadow ray of a surface; `attenuation` is that of the medium on wo's side. Returns reflected
+// radiance, without the path's throughput.
 vec3 sample_direct(IN(Surface) s, IN(ShadingPoint) p, IN(PathVertex) at, vec3 wo_local, vec3 wo,
-                   float u_choice, vec2 u_light, bool weigh) {
+                   vec3 attenuation, float u_choice, vec2 u_light, bool weigh) {
     LightChoice choice = choose_light(at.groups, at.position, at.normal, u_choice);
     if (choice.pmf <= 0.0f) { return vec3(0.0f); }
     LightSample light = sample_light(choice.light, s.position, u_light);
@@ -195,6 +195,11 @@ vec3 sample_direct(IN(Surface) s, IN(ShadingPoint) p, IN(PathVertex) at, vec3 wo
     float w = light.is_delta != 0u || !weigh ? 1.0f : mis_power(density, value.pdf);
     float visible = trace_visible(shadow_ray(s, light));
     note_shadow_ray(light_group(choice.light), max_component(radiance) / density, visible);
+    // What surrounds the surface absorbs; infinitely far light is never inside of a body.
+    bool reflected = (wi_local.z > 0.0f) == (wo_local.z > 0.0f);
+    if (reflected && attenuation != vec3(0.0f) && light.distance < FLOAT_MAX) {
+        radiance *= medium_transmittance(attenuation, light.distance);
+    }
     return radiance * (w / density * visible);
 }
 
@@ -269,7 +274,8 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         if (!specular) {
             from.groups = light_groups(from.position, from.normal);
             vec2 u_light = draw_at(draws, state.depth, DRAW_LIGHT);
-            vec3 light = sample_direct(s, p, from, wo_local, wo, u_choices.x, u_light, !last);
+            vec3 light = sample_direct(s, p, from, wo_local, wo, state.attenuation, u_choices.x,
+                                       u_light, !last);
             r.light = add_light(r.light, state.throughput * light, state.depth + 1u);
         }
         if (last && !specular) { break; }

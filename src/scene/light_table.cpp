@@ -161,8 +161,8 @@ private:
             p[i] = instance.worldFromObject * glm::vec4(instance.mesh->positions[t[i]], 1);
         LightRecord r{};
         r.kind = LIGHT_TRIANGLE, r.two_sided = twoSided;
-        // A mirroring transform turns the winding; the front stays the front (glTF 2.0, 3.7.4). The edges
-        // change places, so that their cross product points to it; triangle_emission knows.
+        // A mirroring transform turns the winding; the front stays the front (glTF 2.0, 3.7.4). The
+        // edges change places, so that their cross product points to it; triangle_emission knows.
         if (glm::determinant(glm::mat3(instance.worldFromObject)) < 0) std::swap(p[1], p[2]);
         r.position = p[0], r.edge_u = p[1] - p[0], r.edge_v = p[2] - p[0];
         const glm::vec3 n = glm::cross(r.edge_u, r.edge_v);

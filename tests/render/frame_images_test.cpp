@@ -154,13 +154,13 @@ glm::dvec2 toldAndTrue(const Variant& variant, Furnish what, double target) {
     GpFrameStatistics s{};
     stage.check(gpGetFrameStatistics(frame, &s));
     const auto color = stage.read<glm::vec4>(frame, GP_IMAGE_COLOR, 256);
-    double squares = 0, mean = 0;
+    double errors = 0, mean = 0;
     const glm::dvec3 weights(0.2126, 0.7152, 0.0722);
     for (size_t i = 0; i < 256; ++i) {
         const double d = glm::dot(glm::dvec3(color[i] - truth.color[i]), weights);
-        squares += d * d, mean += glm::dot(glm::dvec3(truth.color[i]), weights);
+        errors += std::abs(d), mean += glm::dot(glm::dvec3(truth.color[i]), weights);
     }
-    return {s.noise, std::sqrt(squares / 256) / (mean / 256)};
+    return {s.noise, errors / mean};
 }
 
 TEST_P(FrameImages, NoiseTargetIsReachedAndHonest) {
@@ -169,9 +169,9 @@ TEST_P(FrameImages, NoiseTargetIsReachedAndHonest) {
         EXPECT_LE(noise.x, 0.08);
         EXPECT_GT(noise.x, 0);
         EXPECT_LT(noise.y, 1.5 * noise.x);
-        if (what == &furnishVeils) {
-            EXPECT_GT(noise.y, noise.x / 1.5);
-        }
+        // Halves of a stratified picture are better than half as good: there the true error is
+        // less.
+        EXPECT_GT(noise.y, noise.x / (what == &furnishVeils ? 1.5 : 4.0));
     }
 }
 

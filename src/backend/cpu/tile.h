@@ -14,6 +14,7 @@ inline void addSample(PixelSums& s, const PathSample& r) {
     }
     s.color += vec4(color, g.coverage);
     s.colorSquared += color * color;
+    if ((s.samples & 1u) != 0) s.oddLuminance += luminance(color);
     s.emission += r.light.emission, s.direct += r.light.direct;
     if (g.instance != 0) {
         s.depth += g.depth, s.hits += 1;
