@@ -145,7 +145,7 @@ TEST_P(FrameImages, VarianceIsWhatSeedsShow) {
 glm::dvec2 toldAndTrue(const Variant& variant, Furnish what, double target) {
     Stage stage(variant);
     what(stage);
-    const Picture truth = stage.render(16, 16, view(), stage.options(effort(16384)));
+    const Picture truth = stage.render(16, 16, view(), stage.options(effort(8192)));
     const GpFrame frame = stage.frame(16, 16);
     const GpCameraDesc camera = view();
     GpRenderOptions o = stage.options(0);
