@@ -1,8 +1,8 @@
 # Renders a glTF file with Blender's Cycles, all surfaces purely diffuse, for bench/agreement.py:
 #   blender -b --factory-startup -P bench/cycles_diffuse.py -- SPECIFICATION.json
-# The importer's own materials have a reflection that the pictures must not have, so each is replaced
-# by a diffuse one (and the glow of the file). Positions in the specification are glTF's: (x, y, z)
-# there is (x, -z, y) in Blender.
+# The importer's own materials have a reflection that the pictures must not have, so each is
+# replaced by a diffuse one (and the glow of the file). Positions in the specification are glTF's:
+# (x, y, z) there is (x, -z, y) in Blender.
 import json
 import math
 import sys

@@ -14,8 +14,8 @@ struct RaySettings {
     bool diffuse = false;
 };
 
-// Renders, records, replays; every rate with its spread. Throws std::runtime_error where the picture
-// is black or not finite, or where rays and hits do not add up.
+// Renders, records, replays; every rate with its spread. Throws std::runtime_error where the
+// picture is black or not finite, or where rays and hits do not add up.
 nlohmann::ordered_json measureRays(Backend& backend, const BackendScene& target, const Scene& scene,
                                    const SceneOptions& options, const RaySettings& settings);
 

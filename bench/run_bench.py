@@ -23,7 +23,7 @@ MIB = 2.0**20
 
 class Effort:
     def __init__(self, quick):
-        self.samples = 16 if quick else 64          # of renders against Cycles
+        self.samples = 8 if quick else 64          # of renders against Cycles
         self.rounds = 1 if quick else 3
         self.ray_samples = 8 if quick else 16
         self.recorded = 1 if quick else 4
@@ -170,7 +170,7 @@ def memory(programs, scenes, folder):
     say("memory")
     furnace = own_scene(programs, "furnace", folder)
     small = programs.render(furnace.path, os.path.join(folder, "ours.exr"), "--size", "16x16",
-                            "--spp", "1")
+                            "--spp", "1", "--env-color", "1,1,1")
     results = {"program_alone": {"value": small["peak_memory_bytes"] / MIB, "unit": "MiB"}}
     for scene in scenes:
         totals = programs.info(scene.path)
