@@ -229,7 +229,8 @@ def document(pairs, samples, about):
              "pixels of the difference, divided by its noise, are uncorrelated "
              f"(at most {MOST_CORRELATION}), as noise is and structure is not.", ""]
     lines += ["| scene | mean R, G, B | noise of the mean | worst block | its sigmas | blocks, RMS"
-              " | unexplained blocks | correlation | noise of a pixel | agrees |", "|" + "---|" * 10]
+              " | unexplained blocks | correlation | noise of a pixel | agrees |",
+              "|" + "---|" * 10]
     for pair, r in pairs:
         lines.append(f"| {pair.title} | " + ", ".join(percent(m) for m in r["means"])
                      + f" | {100 * r['mean_sigma']:.3f} %"
