@@ -136,9 +136,9 @@ def memory_part(results):
             for name, m in memory.items() if "ratio" in m]
     return ["## Memory", "",
             "MiB. Peak of the whole process, loading included, against geometry + textures +",
-            "Embree's structures. The program with nearly nothing to render takes",
-            f"{memory['program_alone']['value']:.0f} MiB, which no scene can fall below; the last",
-            "column leaves that and the frame's images out.", ""] + table(
+            "Embree's structures. The program itself takes "
+            f"{memory['program_alone']['value']:.0f} MiB (a small scene's peak less",
+            "what that scene needs); the last column leaves that and the frame's images out.", ""] + table(
         ["scene", "peak", "geometry", "textures", "Embree", "frame", "peak / needed",
          "without program, frame"], rows)
 
