@@ -138,7 +138,8 @@ def memory_part(results):
             "MiB. Peak of the whole process, loading included, against geometry + textures +",
             "Embree's structures. The program itself takes "
             f"{memory['program_alone']['value']:.0f} MiB (a small scene's peak less",
-            "what that scene needs); the last column leaves that and the frame's images out.", ""] + table(
+            "what that scene needs); the last column leaves that and the frame's images out.",
+            ""] + table(
         ["scene", "peak", "geometry", "textures", "Embree", "frame", "peak / needed",
          "without program, frame"], rows)
 
