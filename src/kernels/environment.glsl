@@ -4,6 +4,7 @@
 #define GP_KERNELS_ENVIRONMENT_GLSL
 #include "shading/constants.glsl"
 #include "shading/light/environment.glsl"
+#include "shading/sampling/alias.glsl"
 #include "shading/sampling/morton.glsl"
 #include "shading/sampling/warps.glsl"
 #include "shared/scene_structs.glsl"
@@ -38,15 +39,14 @@ EnvironmentSample environment_sample(vec2 u) {
         return s;
     }
     float n = float(f.environment_cells);
-    float scaled = u.x * n * n;
-    uint index = min(uint(scaled), f.environment_cells * f.environment_cells - 1u);
-    float rest = scaled - float(index);
-    LET_REF(EnvironmentCell) entry = load_environment_cell(index);
-    bool keeps = rest < entry.keep;
-    float stretched = keeps ? rest / entry.keep : (rest - entry.keep) / (1.0f - entry.keep);
-    uvec2 cell = cell_from_morton(keeps ? index : entry.alias);
-    vec2 uv =
-        vec2((float(cell.x) + min(stretched, ONE_MINUS_EPSILON)) / n, (float(cell.y) + u.y) / n);
+    AliasPick pick = alias_pick(u, f.environment_cells * f.environment_cells);
+    LET_REF(EnvironmentCell) entry = load_environment_cell(pick.index);
+    bool keeps = pick.rest < entry.keep;
+    float stretched =
+        keeps ? pick.rest / entry.keep : (pick.rest - entry.keep) / (1.0f - entry.keep);
+    uvec2 cell = cell_from_morton(keeps ? pick.index : entry.alias);
+    vec2 uv = vec2((float(cell.x) + min(stretched, ONE_MINUS_EPSILON)) / n,
+                   (float(cell.y) + pick.row) / n);
     vec3 direction = environment_direction_from_uv(uv);
     s.wi = world_from_environment(f, direction);
     s.pdf = environment_pdf_from_uv_pdf(keeps ? entry.pdf : entry.alias_pdf, direction);

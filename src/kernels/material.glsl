@@ -163,7 +163,9 @@ ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, fl
     }
     ShadingPoint p;
     BsdfParams b = bsdf_default();
-    b.model = m.model;
+    // Without reflection at its surface the material is its diffuse base alone.
+    bool matte = (m.flags & MATERIAL_MATTE) != 0u;
+    b.model = matte ? MODEL_LAMBERT : m.model;
     b.base_color = base;
     b.metallic = metallic;
     b.alpha_x = alpha_from_roughness(roughness);

@@ -13,6 +13,7 @@
 #include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
 #include "shading/sampling/morton.glsl"
+#include "shading/sampling/alias.glsl"
 #include "shading/sampling/mis.glsl"
 #include "shading/sampling/pixel_filter.glsl"
 #include "shading/sampling/spherical_rectangle.glsl"

@@ -27,6 +27,7 @@ struct Hit {
 #define MATERIAL_VERTEX_COLOR 32u
 #define MATERIAL_ALPHA_MASK 128u
 #define MATERIAL_ALPHA_BLEND 256u
+#define MATERIAL_MATTE 1024u     // no metal, no reflection, no layers: Lambertian
 #define MATERIAL_NEEDS_UV 512u   // vertex colours or tangents, although no texture is there
 #define MATERIAL_LAYERED 64u     // any of specular textures, coat, sheen, transmission, iridescence
 

@@ -196,8 +196,10 @@ static uint32_t materialFlags(const Material& m) {
     if (m.alphaMode == AlphaMode::mask) flags |= MATERIAL_ALPHA_MASK;
     if (m.alphaMode == AlphaMode::blend) flags |= MATERIAL_ALPHA_BLEND;
     if (m.anisotropy > 0) flags |= MATERIAL_NEEDS_UV;
-    if (m.specularTexture.texture || m.specularColorTexture.texture || m.coat > 0 ||
-        m.sheenColor != glm::vec3(0) || m.transmission > 0 || m.iridescence > 0)
+    const bool layers = m.coat > 0 || m.sheenColor != glm::vec3(0) || m.transmission > 0 ||
+                        m.iridescence > 0;
+    if (m.metallic == 0 && m.specular == 0 && !layers) flags |= MATERIAL_MATTE;
+    if (m.specularTexture.texture || m.specularColorTexture.texture || layers)
         flags |= MATERIAL_LAYERED;
     return flags;
 }
