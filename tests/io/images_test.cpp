@@ -169,11 +169,12 @@ TEST(Writers, FailureLeavesNothingBehind) {
     const float white[4] = {1, 1, 1, 1};
     const uint8_t bytes[4] = {};
     const ImageLayer layer[1] = {{"", "RGBA", white}};
-    const std::string folder = inTemp("a-folder.d");
+    const std::string own = inTemp("of-this-test-only");  // others write beside it at this time
+    const std::string folder = own + "/a-folder.d";
     std::filesystem::create_directories(folder + "/inside");
-    const auto files = [] {
+    const auto files = [&] {
         size_t n = 0;
-        for (const auto& e : std::filesystem::directory_iterator(inTemp("."))) n += e.exists();
+        for (const auto& e : std::filesystem::directory_iterator(own)) n += e.exists();
         return n;
     };
     const size_t before = files();
@@ -181,8 +182,8 @@ TEST(Writers, FailureLeavesNothingBehind) {
     EXPECT_THROW(saveExr(folder, 1, 1, layer, ExrPixel::half), FileError);
     EXPECT_THROW(savePng(folder, 1, 1, bytes), FileError);
     EXPECT_THROW(saveHdr(folder, 1, 1, white), FileError);
-    EXPECT_THROW(savePng(inTemp("none") + "/x.png", 1, 1, bytes), FileError);
-    EXPECT_THROW(saveExr(inTemp("none") + "/x.exr", 1, 1, layer, ExrPixel::half), FileError);
+    EXPECT_THROW(savePng(own + "/none/x.png", 1, 1, bytes), FileError);
+    EXPECT_THROW(saveExr(own + "/none/x.exr", 1, 1, layer, ExrPixel::half), FileError);
     EXPECT_EQ(files(), before);
 }
 
