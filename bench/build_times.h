@@ -7,8 +7,8 @@
 
 namespace gp::bench {
 
-// Milliseconds, medians of `runs`, of one mesh alone: built once for good (static), rebuilt because
-// its triangles changed, refitted because its vertices moved (both dynamic).
+// Milliseconds, medians of `runs`, of one mesh alone: built once for good (static), or built anew
+// because its vertices moved (dynamic).
 nlohmann::ordered_json buildTimes(Backend& backend, const Mesh& mesh, int runs);
 
 // A wavy square of about `triangles` triangles, ten metres a side.

@@ -110,13 +110,12 @@ def diffuse_part(results):
 
 def build_part(results):
     rows = [[name, f"{b['triangles']:,}"] + [number(b[k], 1) for k in (
-        "static_ms", "dynamic_rebuild_ms", "dynamic_refit_ms")]
+        "static_ms", "dynamic_ms")]
         for name, b in results["build_times"].items()]
     return ["## Build times", "",
             "Milliseconds to bring the backend's scene up to date with one mesh: static (high",
-            "quality), dynamic with new topology (low quality), dynamic with moved vertices",
-            "(refit). `waves_N` are generated.", ""] + table(
-        ["mesh", "triangles", "static", "rebuild", "refit"], rows)
+            "quality), dynamic with moved vertices (low quality). `waves_N` are generated.",
+            ""] + table(["mesh", "triangles", "static", "dynamic"], rows)
 
 
 def scaling_part(results):

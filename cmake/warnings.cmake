@@ -3,6 +3,12 @@ add_library(gp_warnings INTERFACE)
 target_compile_options(gp_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
 if(GP_WERROR)
   target_compile_options(gp_warnings INTERFACE -Werror)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # GCC 12 sees ghosts in an inlined std::string operator+ (its bugs 105329 and 105651), depending
+    # even on how long the path of the checkout is: seen, but no reason to fail.
+    target_compile_options(gp_warnings INTERFACE -Wno-error=array-bounds -Wno-error=restrict
+                                                 -Wno-error=stringop-overflow)
+  endif()
 endif()
 if(GP_SANITIZE)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

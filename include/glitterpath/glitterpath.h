@@ -281,9 +281,9 @@ typedef struct GpMeshDesc {
 } GpMeshDesc;
 
 GP_API GpMesh gpNewMesh(GpDevice device, const GpMeshDesc* desc);
-/* New vertices for a GP_MESH_DYNAMIC mesh; kind, id, material and name of desc are ignored. With
- * the same triangles as before the acceleration structure is refitted, else rebuilt, at the next
- * gpRender. GP_ERROR_INVALID_OPERATION for the other kinds. */
+/* New vertices for a GP_MESH_DYNAMIC mesh; kind, id, material and name of desc are ignored.
+ * The next gpRender builds its acceleration structure anew, at the quality that is quickest to
+ * build. GP_ERROR_INVALID_OPERATION for the other kinds. */
 GP_API GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc);
 GP_API GpError gpReleaseMesh(GpMesh mesh);
 

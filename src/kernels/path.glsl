@@ -1,7 +1,7 @@
 // The reference: one whole path through a pixel. At every surface one light is chosen for a shadow
 // ray, and one direction by the material; what both could have found is weighted between them.
-// Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8
-// to 10. Resources: trace_closest, trace_visible, note_shadow_ray, and those of the files included.
+// Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8-10.
+// Resources: trace_closest, trace_visible, note_shadow_ray, and those of the files included.
 #ifndef GP_KERNELS_PATH_GLSL
 #define GP_KERNELS_PATH_GLSL
 #include "kernels/environment.glsl"
@@ -247,7 +247,9 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         ShadingPoint p = load_shading_point(material, s, wo, u_others.x, f.diffuse_shading != 0u);
         if (state.depth == 0u) { r.guides = guides_of(p, hit, wo); }
         if ((p.flags & MATERIAL_UNLIT) != 0u) {
-            r.light = add_light(r.light, state.throughput * p.bsdf.base_color, state.depth);
+            // Shown to the camera and in mirrors; it casts no light on anything.
+            vec3 shown = from.pdf == 0.0f ? p.bsdf.base_color : vec3(0.0f);
+            r.light = add_light(r.light, state.throughput * shown, state.depth);
             break;
         }
         if ((p.flags & MATERIAL_EMISSIVE) != 0u) {

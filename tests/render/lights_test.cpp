@@ -159,6 +159,18 @@ TEST_P(Lights, EmissiveTrianglesAreTheSameAsARectangle) {
                      "triangles");
 }
 
+// KHR_materials_unlit: it is seen as it is, but lights nothing; it stands in the sky's way.
+TEST_P(Lights, UnlitSurfacesCastNone) {
+    const glm::vec3 corner(-0.5f, 1, -0.2f), u(1.2f, 0.3f, 0), v(0, 0.1f, 1);
+    stage().surround(glm::vec3(0.5f));
+    Triangles quad;
+    quad.quad(corner, u, v);
+    GpMaterialDesc d = lambertDesc(glm::vec3(0.9f));
+    d.unlit = 1;
+    stage().add(quad, stage().material(d));
+    expectIrradiance(0.5 * (pi - polygonIrradiance(quadPolygon(corner, u, v), up)), 1024, "unlit");
+}
+
 // Solid lights hide what is behind them, so each takes its own share of the sky away.
 TEST_P(Lights, AllAtOnce) {
     const glm::dvec3 sphere(-1, 1, 0.3);

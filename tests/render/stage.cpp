@@ -191,8 +191,7 @@ GpTexture Stage::texture(const GpTextureDesc& desc) {
     return result;
 }
 
-GpInstance Stage::add(const Triangles& t, GpMaterial material, uint32_t invisibleTo,
-                      const float* worldFromObject) {
+GpMeshDesc meshDesc(const Triangles& t, GpMaterial material) {
     GpMeshDesc mesh{};
     mesh.material = material;
     mesh.vertexCount = uint32_t(t.positions.size());
@@ -201,6 +200,12 @@ GpInstance Stage::add(const Triangles& t, GpMaterial material, uint32_t invisibl
     if (t.uv0.size() == t.positions.size()) mesh.texCoords[0] = &t.uv0[0].x;
     if (!t.uv1.empty()) mesh.texCoords[1] = &t.uv1[0].x;
     if (!t.colors.empty()) mesh.colors = &t.colors[0].x;
+    return mesh;
+}
+
+GpInstance Stage::add(const Triangles& t, GpMaterial material, uint32_t invisibleTo,
+                      const float* worldFromObject) {
+    const GpMeshDesc mesh = meshDesc(t, material);
     const GpMesh handle = gpNewMesh(device, &mesh);
     if (!handle) check(gpGetError(device, nullptr));
     GpInstanceDesc desc{};

@@ -84,6 +84,7 @@ struct Stage {
     GpScene scene = nullptr;
 };
 
+GpMeshDesc meshDesc(const Triangles& triangles, GpMaterial material);  // points into `triangles`
 GpMaterialDesc lambertDesc(glm::vec3 albedo);  // no interface above the diffuse base
 // Looks at `target` from `distance` along the unit vector `from`, `height` metres of it.
 GpCameraDesc lookFrom(glm::vec3 target, glm::vec3 from, float distance, float height);

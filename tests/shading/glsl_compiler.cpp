@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace gp::test {
@@ -35,11 +36,10 @@ std::vector<uint32_t> compileCompute(const std::string& source, const std::strin
     const std::filesystem::path spirv = folder / (name + ".spv");
     const std::filesystem::path messages = folder / (name + ".log");
     std::ofstream(text, std::ios::binary) << source;
-    const std::string command = shellQuoted(GP_GLSLANG) + " -V --target-env vulkan1.1 -I" +
-                                shellQuoted(std::string(GP_SOURCE_DIR) + "/src") + " -o " +
-                                shellQuoted(spirv) + " " + shellQuoted(text) + " > " +
-                                shellQuoted(messages) +
-                                " 2>&1";
+    const std::string command =
+        fmt::format("{} -V --target-env vulkan1.1 -I{} -o {} {} > {} 2>&1", shellQuoted(GP_GLSLANG),
+                    shellQuoted(GP_SOURCE_DIR "/src"), shellQuoted(spirv), shellQuoted(text),
+                    shellQuoted(messages));
     if (std::system(command.c_str()) != 0) {
         throw std::runtime_error(command + "\n" + readAll(messages));
     }

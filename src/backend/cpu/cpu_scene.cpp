@@ -35,48 +35,32 @@ void CpuScene::rebuild(const Scene& scene) {
 
 void CpuScene::updateMeshes(const Scene& scene) {
     for (auto& [key, s] : meshes_) s.used = false;
-    std::vector<std::pair<MeshStructure*, bool>> work;  // and whether a refit is enough
     geometries_.clear();
     for (const auto& instance : scene.instances) {
-        const Material& material = instance->surface();
         MeshStructure& s = meshes_[instance->mesh.get()];
-        const bool filtered = material.alphaMode != AlphaMode::opaque;
         if (!s.used) {
             s.used = true;
             s.index = uint32_t(geometries_.size());
-            const Mesh& m = *instance->mesh;
+            s.mesh = instance->mesh;
+            const Mesh& m = *s.mesh;
             geometries_.push_back({m.triangles.data(), m.positions.data(), m.vertices.data(),
                                    m.uv1.empty() ? nullptr : m.uv1.data(),
                                    m.colors.empty() ? nullptr : m.colors.data()});
-            const bool fresh = !s.scene;
-            s.mesh = instance->mesh;
-            if (fresh || s.revision != m.revision) {
-                const bool sameTopology = !fresh && s.triangleCount == m.triangles.size() &&
-                                          s.vertexCount == m.vertexCount();
-                work.emplace_back(&s, sameTopology);
-            }
+            s.stale |= !s.scene || s.revision != m.revision;
         }
-        if (filtered && !s.filtered) {
-            s.filtered = true;
-            if (s.scene && (work.empty() || work.back().first != &s)) work.emplace_back(&s, false);
-        }
+        if (instance->surface().alphaMode != AlphaMode::opaque && !s.filtered)
+            s.filtered = s.stale = true;
     }
     std::erase_if(meshes_, [](const auto& entry) { return !entry.second.used; });
-    tbb::parallel_for_each(work, [&](auto& item) { buildMesh(*item.first, item.second); });
+    std::vector<MeshStructure*> work;
+    for (auto& [key, s] : meshes_)
+        if (s.stale) work.push_back(&s);
+    tbb::parallel_for_each(work, [&](MeshStructure* s) { buildMesh(*s); });
 }
 
-void CpuScene::attachBuffers(MeshStructure& s) {
+void CpuScene::buildMesh(MeshStructure& s) {
     const Mesh& m = *s.mesh;
-    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               m.positions.data(), 0, sizeof(glm::vec3), m.vertexCount());
-    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               m.triangles.data(), 0, sizeof(glm::uvec3), m.triangles.size());
-    s.positions = m.positions.data(), s.triangles = m.triangles.data();
-    s.vertexCount = m.vertexCount(), s.triangleCount = m.triangles.size();
-}
-
-void CpuScene::buildMesh(MeshStructure& s, bool refit) {
-    const bool dynamic = s.mesh->kind == MeshKind::dynamic;
+    const bool dynamic = m.kind == MeshKind::dynamic;
     if (!s.scene) {
         s.scene.reset(rtcNewScene(device_));
         s.geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -84,22 +68,23 @@ void CpuScene::buildMesh(MeshStructure& s, bool refit) {
         rtcSetSceneFlags(s.scene.get(), dynamic ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
         rtcAttachGeometryByID(s.scene.get(), s.geometry, 0);
         rtcReleaseGeometry(s.geometry);  // the scene keeps it
-        refit = false;
     }
-    const RTCBuildQuality quality = !dynamic ? RTC_BUILD_QUALITY_HIGH
-        : refit ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_LOW;
-    // Static scenes are built whole, so the scene's quality counts; dynamic ones by geometry.
-    rtcSetSceneBuildQuality(s.scene.get(),
-                            dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
+    // Dynamic meshes are built anew: a refit took three to four times as long (ARCHITECTURE.md).
+    const RTCBuildQuality quality = dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH;
+    rtcSetSceneBuildQuality(s.scene.get(), quality);
     rtcSetGeometryBuildQuality(s.geometry, quality);
-    attachBuffers(s);
+    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               m.positions.data(), 0, sizeof(glm::vec3), m.vertexCount());
+    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               m.triangles.data(), 0, sizeof(glm::uvec3), m.triangles.size());
     if (s.filtered) {
         rtcSetGeometryIntersectFilterFunction(s.geometry, kernels_.alphaFilter);
         rtcSetGeometryOccludedFilterFunction(s.geometry, kernels_.alphaFilter);
     }
     rtcCommitGeometry(s.geometry);
     rtcCommitScene(s.scene.get());
-    s.revision = s.mesh->revision;
+    s.revision = m.revision;
+    s.stale = false;
 }
 
 void CpuScene::fillInstances(const Scene& scene) {

@@ -39,16 +39,14 @@ private:
         ScenePtr scene;
         RTCGeometry geometry = nullptr;    // owned by `scene`
         uint64_t revision = 0;
-        size_t vertexCount = 0, triangleCount = 0;
-        const void *positions = nullptr, *triangles = nullptr;
         uint32_t index = 0;                // into geometries_
-        bool filtered = false, used = false;
+        bool filtered = false;             // some instance lets rays pass by alpha
+        bool used = false, stale = false;
     };
 
     void rebuild(const Scene& scene);
     void updateMeshes(const Scene& scene);
-    void buildMesh(MeshStructure& s, bool refit);
-    void attachBuffers(MeshStructure& s);
+    void buildMesh(MeshStructure& s);
     void fillMaterials(const Scene& scene);
     void fillSlots(shared::MaterialRecord& r, const Material& m);
     void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
