@@ -2,7 +2,7 @@
 // tree picks, in proportion to the irradiance that each may bring.
 // Based on: Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
 // Splitting", HPG; here without splitting, one light a choice.
-// Resources: load_frame, load_light, load_light_node, and those of surface.glsl for textured lights.
+// Resources: load_frame, load_light, load_light_node, and surface.glsl's for textured lights.
 #ifndef GP_KERNELS_LIGHT_CHOICE_GLSL
 #define GP_KERNELS_LIGHT_CHOICE_GLSL
 #include "kernels/environment.glsl"

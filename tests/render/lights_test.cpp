@@ -168,7 +168,7 @@ TEST_P(Lights, UnlitSurfacesCastNone) {
     GpMaterialDesc d = lambertDesc(glm::vec3(0.9f));
     d.unlit = 1;
     stage().add(quad, stage().material(d));
-    expectIrradiance(0.5 * (pi - polygonIrradiance(quadPolygon(corner, u, v), up)), 1024, "unlit");
+    expectIrradiance(0.5 * (pi - polygonIrradiance(quadPolygon(corner, u, v), up)), 6144, "unlit");
 }
 
 // Solid lights hide what is behind them, so each takes its own share of the sky away.
