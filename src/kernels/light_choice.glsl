@@ -238,18 +238,8 @@ vec3 triangle_emission(IN(LightRecord) r, vec3 light_barycentrics) {
     return e * alpha;
 }
 
-// One point of the chosen light, as seen from p.
-LightSample sample_light(uint index, vec3 p, vec2 u) {
-    if (index == LIGHT_ENVIRONMENT) {
-        EnvironmentSample e = environment_sample(u);
-        LightSample s;
-        s.wi = e.wi;
-        s.distance = FLOAT_MAX;
-        s.radiance = e.radiance;
-        s.pdf = e.pdf;
-        s.is_delta = 0u;
-        return s;
-    }
+// One point of a light that is not the environment, as seen from p.
+LightSample sample_local_light(uint index, vec3 p, vec2 u) {
     LET_REF(LightRecord) r = load_light(index);
     if (r.kind == LIGHT_DIRECTIONAL) { return directional_light_sample(directional_light(r), u); }
     if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_sample(rectangle_light(r), p, u); }
@@ -262,7 +252,42 @@ LightSample sample_light(uint index, vec3 p, vec2 u) {
     return sphere_light_sample(sphere_light(r), p, u);
 }
 
-// The density in solid angle with which sample_light leads from p to the point p + to_light of a
+// A light and a point of it for a shadow ray, chosen before the material is known: the radiance of
+// the environment arrives meanwhile.
+struct ChosenLight {
+    uint light;
+    float pmf;        // 0: there is none
+    LightSample point;
+    vec2 environment_uv;
+};
+
+ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
+    LightChoice choice = choose_light(g, p, normal, u_choice);
+    ChosenLight c;
+    c.light = choice.light;
+    c.pmf = choice.pmf;
+    c.point = light_sample_none();
+    c.environment_uv = vec2(0.0f);
+    if (choice.pmf <= 0.0f) { return c; }
+    if (choice.light != LIGHT_ENVIRONMENT) {
+        c.point = sample_local_light(choice.light, p, u);
+        return c;
+    }
+    EnvironmentSample e = environment_sample(u);
+    c.point.wi = e.wi;
+    c.point.distance = FLOAT_MAX;
+    c.point.pdf = e.pdf;
+    c.point.is_delta = 0u;
+    c.environment_uv = e.uv;
+    return c;
+}
+
+vec3 chosen_light_radiance(IN(ChosenLight) c) {
+    return c.light == LIGHT_ENVIRONMENT ? environment_radiance_at(c.environment_uv)
+                                        : c.point.radiance;
+}
+
+// The density in solid angle with which sample_local_light leads from p to the point p + to_light of a
 // light that is not infinitely far.
 float light_pdf(IN(LightRecord) r, vec3 p, vec3 to_light) {
     if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_pdf(rectangle_light(r), p, to_light); }

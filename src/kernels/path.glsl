@@ -90,11 +90,11 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
     LET_REF(FrameConstants) f = load_frame();
     vec3 light = vec3(0.0f);
     if (f.environment_power > 0.0f) {
-        vec3 d = environment_from_world(f, direction);
-        light = environment_radiance(d);
+        EnvironmentLight sky = environment_light(direction, from.pdf > 0.0f);
+        light = sky.radiance;
         if (from.pdf > 0.0f) {
             float chosen = from.groups.environment / light_groups_sum(from.groups);
-            light *= mis_power(from.pdf, chosen * environment_pdf(d));
+            light *= mis_power(from.pdf, chosen * sky.pdf);
         }
     }
     for (uint i = 0u; i < f.directional_lights; ++i) {
@@ -178,18 +178,16 @@ Ray shadow_ray(IN(Surface) s, IN(LightSample) light) {
     return ray;
 }
 
-// The shadow ray of a surface; `attenuation` is that of the medium on wo's side. Returns reflected
-// radiance, without the path's throughput.
-vec3 sample_direct(IN(Surface) s, IN(ShadingPoint) p, IN(PathVertex) at, vec3 wo_local, vec3 wo,
-                   vec3 attenuation, float u_choice, vec2 u_light, bool weigh) {
-    LightChoice choice = choose_light(at.groups, at.position, at.normal, u_choice);
-    if (choice.pmf <= 0.0f) { return vec3(0.0f); }
-    LightSample light = sample_light(choice.light, s.position, u_light);
+// The shadow ray of a surface to the light chosen for it; `attenuation` is that of the medium on
+// wo's side. Returns reflected radiance, without the path's throughput.
+vec3 shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) choice, vec3 wo_local,
+                    vec3 wo, vec3 attenuation, bool weigh) {
+    LET_REF(LightSample) light = choice.point;
     if (light.pdf <= 0.0f) { return vec3(0.0f); }
     vec3 wi_local = local_from_world(p.frame, light.wi);
     if (!sides_agree(s, wo, light.wi, wo_local, wi_local)) { return vec3(0.0f); }
     BsdfValue value = bsdf_eval(p.bsdf, wo_local, wi_local);
-    vec3 radiance = value.f_cos * light.radiance;
+    vec3 radiance = value.f_cos * chosen_light_radiance(choice);
     if (!(max_component(radiance) > 0.0f)) { return vec3(0.0f); }
     float density = choice.pmf * light.pdf;
     float w = light.is_delta != 0u || !weigh ? 1.0f : mis_power(density, value.pdf);
@@ -228,14 +226,16 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         }
         if (hit.instance == HIT_LIGHT) {
             LET_REF(LightRecord) record = load_light(hit.primitive);
-            vec3 light = light_radiance(record, from.position, ray.direction) *
+            vec3 emitted = light_radiance(record, from.position, ray.direction) *
                          found_light_weight(from, hit.primitive, ray.direction, hit.t);
-            r.light = add_light(r.light, state.throughput * light, state.depth);
+            r.light = add_light(r.light, state.throughput * emitted, state.depth);
             r.guides.coverage = state.depth == 0u ? 1.0f : r.guides.coverage;
             break;
         }
         LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
         bool roulette = f.russian_roulette != 0u && state.depth >= ROULETTE_DEPTH;
+        vec2 u_light = draw_at(draws, state.depth, DRAW_LIGHT);
+        environment_expect_sample(u_light);
         vec2 u_others = vec2(0.0f);
         if (roulette || material.textures != 0u) {
             u_others = draw_at(draws, state.depth, DRAW_OTHERS);
@@ -244,6 +244,16 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
         cone = ray_cone_propagate(cone, hit.t);
         bool textured = material.textures != 0u || (material.flags & MATERIAL_NEEDS_UV) != 0u;
         Surface s = load_surface(hit, ray.direction, cone, textured);
+        PathVertex at;
+        at.position = s.position;
+        at.normal = dot(s.ng, wo) > 0.0f ? s.ng : -s.ng;
+        if (f.diffuse_shading == 0u && (material.flags & MATERIAL_TRANSMISSIVE) != 0u) {
+            at.normal = vec3(0.0f);
+        }
+        at.groups = light_groups(at.position, at.normal);
+        vec2 u_choices = draw_at(draws, state.depth, DRAW_CHOICES);
+        ChosenLight light =
+            choose_light_point(at.groups, at.position, at.normal, u_choices.x, u_light);
         ShadingPoint p = load_shading_point(material, s, wo, u_others.x, f.diffuse_shading != 0u);
         if (state.depth == 0u) { r.guides = guides_of(p, hit, wo); }
         if ((p.flags & MATERIAL_UNLIT) != 0u) {
@@ -261,24 +271,14 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
 
         // Light that is chosen, and light that the material finds by itself.
         vec3 wo_local = local_from_world(p.frame, wo);
-        bool transmissive = (p.flags & MATERIAL_TRANSMISSIVE) != 0u;
         bool specular = bsdf_is_specular(p.bsdf);
-        from.position = s.position;
-        from.normal = transmissive ? vec3(0.0f) : dot(s.ng, wo) > 0.0f ? s.ng : -s.ng;
         // The last surface's own ray would only weigh against the shadow ray: where that finds
         // infinitely far light well by itself, it is left out.
         bool last =
             state.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
-        vec2 u_choices = vec2(0.0f);
-        if (p.bsdf.model != MODEL_LAMBERT || f.only_environment == 0u) {
-            u_choices = draw_at(draws, state.depth, DRAW_CHOICES);
-        }
         if (!specular) {
-            from.groups = light_groups(from.position, from.normal);
-            vec2 u_light = draw_at(draws, state.depth, DRAW_LIGHT);
-            vec3 light = sample_direct(s, p, from, wo_local, wo, state.attenuation, u_choices.x,
-                                       u_light, !last);
-            r.light = add_light(r.light, state.throughput * light, state.depth + 1u);
+            vec3 direct = shadowed_light(s, p, light, wo_local, wo, state.attenuation, !last);
+            r.light = add_light(r.light, state.throughput * direct, state.depth + 1u);
         }
         if (last && !specular) { break; }
         BsdfSample b =
@@ -303,10 +303,12 @@ PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
             state.throughput /= survival;
         }
 
+        from = at;
         from.pdf = specular ? 0.0f : b.pdf;
         cone = ray_cone_bounce(cone, (b.lobe & LOBE_DIFFUSE) != 0u ? 1.0f : p.bsdf.alpha_x);
         ray = ray_from(s, wi, FLOAT_MAX);
         state.depth += 1u;
+        environment_expect_light(wi);
         hit = trace_closest(ray);
     }
     return r;

@@ -12,7 +12,7 @@
 namespace gp {
 namespace {
 
-// 512 x 512 cells are 4 MB. Of an image twice as wide as high, a cell is then half as wide as high
+// 512 x 512 cells are 2 MB. Of an image twice as wide as high, a cell is then half as wide as high
 // on the sphere's equator.
 constexpr uint32_t maxSide = 512;
 
@@ -70,6 +70,24 @@ std::vector<double> cellWeights(const Image& image, const std::vector<float>& lu
     return weights;
 }
 
+// To the nearest number with eight bits of mantissa; light never becomes none.
+uint16_t upperHalf(float v) {
+    return uint16_t((std::bit_cast<uint32_t>(v) + 0x8000u) >> 16);
+}
+
+// Rounds the weights to what `densities` can hold; returns their sum.
+double roundWeights(std::vector<double>& weights, EnvironmentTable& table) {
+    double largest = 0, sum = 0;
+    for (double w : weights) largest = std::max(largest, w);
+    table.densities.resize(weights.size());
+    for (size_t i = 0; i < weights.size(); ++i) {
+        table.densities[i] = upperHalf(float(weights[i] / largest));
+        sum += weights[i] = double(wideFloat(table.densities[i]));
+    }
+    table.densityScale = float(double(weights.size()) / sum);
+    return sum;
+}
+
 // [Vose 1991, "A Linear Algorithm for Generating Random Numbers with a Given Distribution"]
 void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTable& table) {
     const size_t n = weights.size();
@@ -78,7 +96,7 @@ void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTabl
     table.cells.resize(n);
     for (size_t i = 0; i < n; ++i) {
         scaled[i] = weights[i] / sum * double(n);
-        table.cells[i] = {1.0f, uint32_t(i), float(scaled[i]), float(scaled[i])};
+        table.cells[i] = {1.0f, uint32_t(i)};
         (scaled[i] < 1 ? small : large).push_back(uint32_t(i));
     }
     while (!small.empty() && !large.empty()) {
@@ -86,7 +104,6 @@ void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTabl
         small.pop_back();
         table.cells[s].keep = float(scaled[s]);
         table.cells[s].alias = l;
-        table.cells[s].alias_pdf = table.cells[l].pdf;
         scaled[l] -= 1 - scaled[s];
         if (scaled[l] < 1) {
             large.pop_back();
@@ -111,9 +128,8 @@ EnvironmentTable makeEnvironmentTable(const Image& image) {
     }
     if (!(table.meanLuminance > 0)) return {};
     table.side = std::min(maxSide, std::bit_ceil(std::max(image.width, image.height)));
-    const std::vector<double> weights = cellWeights(image, luminance, table.side);
-    double sum = 0;
-    for (double w : weights) sum += w;
+    std::vector<double> weights = cellWeights(image, luminance, table.side);
+    const double sum = roundWeights(weights, table);
     makeAliases(weights, sum, table);
     packTexels(image, table);
     return table;

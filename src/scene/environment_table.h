@@ -2,10 +2,12 @@
 // are chosen from in proportion to luminance and solid angle.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "scene/image.h"
+#include "scene/large_pages.h"
 #include "shared/scene_structs.h"
 
 namespace gp {
@@ -14,19 +16,32 @@ struct EnvironmentTable {
     // The image, three mantissas of 9 bits and an exponent each: 4 bytes instead of 16, rounded to
     // a part in 1,000 of a pixel's largest channel (Radiance files have a part in 256). Rays read
     // it at random, and what counts is how much of it stays in the cache.
-    std::vector<uint32_t> texels;
+    LargeVector<uint32_t> texels;
     float texelScale = 1;     // what they are multiplied with
 
     // side * side cells over the image's unit square, an alias table in Morton order. A cell's
     // weight holds every pixel that bilinear reading brings into it, so none with light has density
     // zero.
-    std::vector<shared::EnvironmentCell> cells;
+    LargeVector<shared::EnvironmentCell> cells;
+    // Each cell's density over the unit square, over densityScale: the upper half of a float. Rays
+    // that miss everything ask for it, so it is apart and small. The weights themselves are rounded
+    // to this form before the aliases are made: the densities are those of the table, exactly.
+    std::vector<uint16_t> densities;
+    float densityScale = 1;
     uint32_t side = 0;        // a power of two; 0: the image is black
 
     double meanLuminance = 0; // over the sphere, W/(m^2 sr) as luminance
 
     bool empty() const { return side == 0; }
+    float density(uint32_t cell) const;
 };
+
+// A float from its upper half.
+inline float wideFloat(uint16_t upper) { return std::bit_cast<float>(uint32_t(upper) << 16); }
+
+inline float EnvironmentTable::density(uint32_t cell) const {
+    return wideFloat(densities[cell]) * densityScale;
+}
 
 // `image` is rgba32f.
 EnvironmentTable makeEnvironmentTable(const Image& image);

@@ -45,8 +45,9 @@ std::shared_ptr<const Texture> makeTexture(TextureDesc&& desc) {
     size_t bytes = 0;
     texture->levels = mipLayout(desc.image.width, desc.image.height, desc.image.format,
                                 desc.mipmapped, bytes);
-    texture->pixels = std::move(desc.image.pixels);
     texture->pixels.resize(bytes);
+    std::copy(desc.image.pixels.begin(), desc.image.pixels.end(), texture->pixels.begin());
+    desc.image.pixels = {};
     fillMipLevels(*texture);
     return texture;
 }

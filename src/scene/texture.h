@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "scene/image.h"
+#include "scene/large_pages.h"
 
 namespace gp {
 
@@ -30,7 +31,7 @@ struct Texture {
     bool mipmapped = true;
     bool hasAlpha = false;         // some texel's alpha is below one
     std::vector<MipLevel> levels;  // level 0 is the image itself
-    std::vector<std::byte> pixels; // all levels, level 0 first
+    LargeVector<std::byte> pixels; // all levels, level 0 first
 };
 
 struct TextureDesc {

@@ -4,6 +4,7 @@
 //  JCGT 10(1)]
 #ifndef GP_SHADING_RAY_CONE_GLSL
 #define GP_SHADING_RAY_CONE_GLSL
+#include "shading/trigonometry.glsl"
 
 struct RayCone {
     float width;   // at the ray's origin, metres; negative after a focus
@@ -24,7 +25,7 @@ RayCone ray_cone_propagate(IN(RayCone) cone, float distance) {
 // the angle of the half vector, and a lobe counts from minus to plus one deviation. Variances add
 // up.
 RayCone ray_cone_bounce(IN(RayCone) cone, float alpha) {
-    float lobe = 4.0f * atan(alpha * 0.70710678f);
+    float lobe = 4.0f * TWO_PI * turns_from_vector(alpha * 0.70710678f, 1.0f);
     RayCone next;
     next.width = cone.width;
     next.spread = sqrt(cone.spread * cone.spread + lobe * lobe);

@@ -4,6 +4,7 @@
 #define GP_SHADING_SHADING_GLSL
 
 #include "shading/constants.glsl"
+#include "shading/trigonometry.glsl"
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
 #include "shading/sh.glsl"

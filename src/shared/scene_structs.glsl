@@ -172,8 +172,6 @@ struct LightTreeNode {
 struct EnvironmentCell {
     float keep;
     uint alias;
-    float pdf;        // of this cell over the unit square
-    float alias_pdf;
 };
 
 // What a frame is, for every kernel: gp::FramePlan and the scene's constants.

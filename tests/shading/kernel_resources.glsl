@@ -14,6 +14,7 @@ layout(std430, binding = 6) readonly buffer TriangleBuffer { TriangleCorners tri
 layout(std430, binding = 7) readonly buffer EnvironmentBuffer {
     EnvironmentCell environment_cells[];
 };
+layout(std430, binding = 8) readonly buffer DensityBuffer { float environment_densities[]; };
 layout(std430, binding = 9) readonly buffer CornerBuffer { vec4 corner_extras[]; };
 layout(binding = 10) uniform sampler2D environment_image;
 layout(binding = 11) uniform sampler2DArray textures;
@@ -49,6 +50,10 @@ vec4 sample_texture(uint index, vec2 uv, float lod, float u_lod) {
 
 vec3 load_environment(vec2 uv) { return vec3(textureLod(environment_image, uv, 0.0f)); }
 EnvironmentCell load_environment_cell(uint i) { return environment_cells[i]; }
+void prefetch_environment(vec2 uv) {}
+void prefetch_environment_cell(uint i) {}
+void prefetch_environment_density(uint i) {}
+float load_environment_density(uint i) { return environment_densities[i]; }
 
 // [Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection"]
 Hit meet_triangle(Ray ray, uint i, Hit nearest) {

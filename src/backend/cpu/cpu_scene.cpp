@@ -311,8 +311,10 @@ void CpuScene::fillView(const Scene& scene) {
     const float mean = e.image ? float(environment_.meanLuminance) : 1.0f;
     view_.environmentPower = 3.14159265f * mean * shading::luminance(view_.environmentColor);
     if (!environment_.empty() && e.image)
-        view_.environment = {environment_.texels.data(), environment_.cells.data(), e.image->width,
-                             e.image->height, environment_.side, environment_.texelScale};
+        view_.environment = {environment_.texels.data(), environment_.cells.data(),
+                             environment_.densities.data(), e.image->width, e.image->height,
+                             environment_.side, environment_.texelScale,
+                             environment_.densityScale};
 }
 
 }  // namespace gp::cpu

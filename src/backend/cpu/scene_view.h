@@ -36,8 +36,9 @@ struct GeometryView {
 struct EnvironmentView {
     const uint32_t* texels;     // null: uniform
     const shared::EnvironmentCell* cells;
+    const uint16_t* densities;
     uint32_t width, height, side;
-    float texelScale;
+    float texelScale, densityScale;
 };
 
 struct SceneView {

@@ -4,18 +4,17 @@
 #ifndef GP_SHADING_LIGHT_ENVIRONMENT_GLSL
 #define GP_SHADING_LIGHT_ENVIRONMENT_GLSL
 #include "shading/constants.glsl"
+#include "shading/trigonometry.glsl"
 
 vec2 environment_uv_from_direction(vec3 d) {
     float horizontal = sqrt(d.x * d.x + d.z * d.z);
-    float azimuth = horizontal > 0.0f ? atan(d.x, -d.z) : 0.0f;
-    return vec2(0.5f + azimuth * INV_TWO_PI, atan(horizontal, d.y) * INV_PI);
+    return vec2(0.5f + turns_from_vector(d.x, -d.z), 2.0f * turns_from_vector(horizontal, d.y));
 }
 
 vec3 environment_direction_from_uv(vec2 uv) {
-    float azimuth = (uv.x - 0.5f) * TWO_PI;
-    float polar = uv.y * PI;
-    float horizontal = sin(polar);
-    return vec3(horizontal * sin(azimuth), cos(polar), -horizontal * cos(azimuth));
+    SinCos azimuth = sincos_turns(uv.x - 0.5f);
+    SinCos polar = sincos_turns(0.5f * uv.y);
+    return vec3(polar.s * azimuth.s, polar.c, -polar.s * azimuth.c);
 }
 
 // A density over the image's unit square as one over solid angle: the image has 2 pi^2 sin(theta)

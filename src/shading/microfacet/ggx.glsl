@@ -4,6 +4,7 @@
 #ifndef GP_SHADING_MICROFACET_GGX_GLSL
 #define GP_SHADING_MICROFACET_GGX_GLSL
 #include "shading/constants.glsl"
+#include "shading/trigonometry.glsl"
 
 // Microfacets per solid angle. From x and y rather than 1 - z^2, which has no digits for narrow
 // lobes. [Walter et al. 2007, EGSR, equation 33; anisotropic: Burley 2012]
@@ -68,8 +69,8 @@ vec3 ggx_sample_vndf(vec3 wo, float alpha_x, float alpha_y, vec2 u) {
     float one_minus_z = (w.x * w.x + w.y * w.y) / (1.0f + w.z);
     float height = (1.0f - u.y) * (1.0f + w.z);
     float sin_theta = sqrt(max(u.y * (1.0f + w.z) * (height + one_minus_z), 0.0f));
-    float phi = TWO_PI * u.x;
-    vec3 h = vec3(w.x + sin_theta * cos(phi), w.y + sin_theta * sin(phi), height);
+    SinCos phi = sincos_turns(u.x);
+    vec3 h = vec3(w.x + sin_theta * phi.c, w.y + sin_theta * phi.s, height);
     return normalize(vec3(alpha_x * h.x, alpha_y * h.y, max(h.z, 1.0e-7f)));
 }
 

@@ -4,6 +4,7 @@
 #ifndef GP_SHADING_SAMPLING_PIXEL_FILTER_GLSL
 #define GP_SHADING_SAMPLING_PIXEL_FILTER_GLSL
 #include "shading/constants.glsl"
+#include "shading/trigonometry.glsl"
 
 #define FILTER_BOX 0u
 #define FILTER_TENT 1u
@@ -45,18 +46,18 @@ float inverse_erf(float x) {
     return (2.83297682f + p * w) * x;
 }
 
-// The window's density on [-1, 1] and its integral from 0 to x.
-float blackman_harris_density(float x) {
-    float c = cos(PI * x);
+// The window's density on [-1, 1] and its integral from 0 to x; `angle`: sincos_turns(x / 2).
+float blackman_harris_density(SinCos angle) {
+    float c = angle.c;
     float c2 = 2.0f * c * c - 1.0f;
     float c3 = c * (4.0f * c * c - 3.0f);
     return (BLACKMAN_HARRIS_A0 + BLACKMAN_HARRIS_A1 * c + BLACKMAN_HARRIS_A2 * c2 +
             BLACKMAN_HARRIS_A3 * c3) / (2.0f * BLACKMAN_HARRIS_A0);
 }
 
-float blackman_harris_mass(float x) {
-    float s = sin(PI * x);
-    float c = cos(PI * x);
+float blackman_harris_mass(float x, SinCos angle) {
+    float s = angle.s;
+    float c = angle.c;
     float s2 = 2.0f * s * c;
     float s3 = s * (4.0f * c * c - 1.0f);
     return (BLACKMAN_HARRIS_A0 * x +
@@ -71,7 +72,8 @@ float blackman_harris_sample(float u) {
     float w = -log(max(2.0f * tail, EXP2_MINUS_24));
     float x = w * (0.35254781f + w * (0.1168491f - w * 0.0022598843f)) /
               (1.0f + w * (0.78469221f + w * 0.049799201f));
-    x += (0.5f - tail - blackman_harris_mass(x)) / blackman_harris_density(x);
+    SinCos angle = sincos_turns(0.5f * x);
+    x += (0.5f - tail - blackman_harris_mass(x, angle)) / blackman_harris_density(angle);
     x = clamp(x, 0.0f, 1.0f);
     return u < 0.5f ? -x : x;
 }
@@ -102,7 +104,7 @@ float filter_density_1d(uint kind, float x) {
         return 1.19682684120429f / GAUSSIAN_MASS * exp(-4.5f * x * x);
     }
     if (kind == FILTER_BLACKMAN_HARRIS) {
-        return blackman_harris_density(x);
+        return blackman_harris_density(sincos_turns(0.5f * x));
     }
     return 0.5f;
 }

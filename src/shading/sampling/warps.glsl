@@ -4,9 +4,10 @@
 #ifndef GP_SHADING_SAMPLING_WARPS_GLSL
 #define GP_SHADING_SAMPLING_WARPS_GLSL
 #include "shading/constants.glsl"
+#include "shading/trigonometry.glsl"
 
-// The unit disk, by area: concentric squares become concentric circles. Polar coordinates; the
-// radius is signed, and exact: whoever needs 1 - r^2 takes it from here rather than from x and y.
+// The unit disk, by area: concentric squares become concentric circles. Radius and angle in turns;
+// the radius is signed, and exact: whoever needs 1 - r^2 takes it from here, not from x and y.
 // [Shirley and Chiu 1997, Journal of Graphics Tools 2(3)]
 vec2 square_to_concentric_polar(vec2 u) {
     float a = 2.0f * u.x - 1.0f;
@@ -14,13 +15,13 @@ vec2 square_to_concentric_polar(vec2 u) {
     if (a == 0.0f && b == 0.0f) {
         return vec2(0.0f);
     }
-    return abs(a) > abs(b) ? vec2(a, QUARTER_PI * (b / a))
-                           : vec2(b, HALF_PI - QUARTER_PI * (a / b));
+    return abs(a) > abs(b) ? vec2(a, 0.125f * (b / a)) : vec2(b, 0.25f - 0.125f * (a / b));
 }
 
 vec2 square_to_concentric_disk(vec2 u) {
     vec2 polar = square_to_concentric_polar(u);
-    return vec2(polar.x * cos(polar.y), polar.x * sin(polar.y));
+    SinCos angle = sincos_turns(polar.y);
+    return vec2(polar.x * angle.c, polar.x * angle.s);
 }
 
 vec2 concentric_disk_to_square(vec2 p) {
@@ -31,9 +32,10 @@ vec2 concentric_disk_to_square(vec2 p) {
     }
     bool wide = abs(p.x) > abs(p.y);
     float major = wide ? p.x : p.y;
-    float minor_angle = wide ? atan(p.y / p.x) : atan(p.x / p.y);
+    float minor = wide ? p.y : p.x;
+    float minor_turns = turns_from_vector(major > 0.0f ? minor : -minor, abs(major));
     float a = major > 0.0f ? r : -r;
-    float b = a * minor_angle / QUARTER_PI;
+    float b = 8.0f * a * minor_turns;
     vec2 p_square = wide ? vec2(a, b) : vec2(b, a);
     return clamp(0.5f * p_square + vec2(0.5f), vec2(0.0f), vec2(ONE_MINUS_EPSILON));
 }
@@ -46,7 +48,8 @@ float concentric_disk_pdf() {
 vec3 square_to_cosine_hemisphere(vec2 u) {
     vec2 polar = square_to_concentric_polar(u);
     float r = polar.x;
-    return vec3(r * cos(polar.y), r * sin(polar.y), sqrt((1.0f - r) * (1.0f + r)));
+    SinCos angle = sincos_turns(polar.y);
+    return vec3(r * angle.c, r * angle.s, sqrt((1.0f - r) * (1.0f + r)));
 }
 
 vec2 cosine_hemisphere_to_square(vec3 d) {
@@ -64,7 +67,8 @@ vec3 square_to_uniform_cone(vec2 u, float one_minus_cos_max) {
     vec2 polar = square_to_concentric_polar(u);
     float height = one_minus_cos_max * polar.x * polar.x;
     float sin_theta = polar.x * sqrt(one_minus_cos_max * (2.0f - height));
-    return vec3(sin_theta * cos(polar.y), sin_theta * sin(polar.y), 1.0f - height);
+    SinCos angle = sincos_turns(polar.y);
+    return vec3(sin_theta * angle.c, sin_theta * angle.s, 1.0f - height);
 }
 
 vec2 uniform_cone_to_square(vec3 d, float one_minus_cos_max) {
@@ -96,12 +100,12 @@ float uniform_hemisphere_pdf(vec3 d) {
 vec3 square_to_uniform_sphere(vec2 u) {
     float z = 1.0f - 2.0f * u.x;
     float r = 2.0f * sqrt(max(0.0f, u.x * (1.0f - u.x)));
-    float phi = TWO_PI * u.y;
-    return vec3(r * cos(phi), r * sin(phi), z);
+    SinCos phi = sincos_turns(u.y);
+    return vec3(r * phi.c, r * phi.s, z);
 }
 
 vec2 uniform_sphere_to_square(vec3 d) {
-    float phi = d.x == 0.0f && d.y == 0.0f ? 0.0f : atan(d.y, d.x) * INV_TWO_PI;
+    float phi = turns_from_vector(d.y, d.x);
     vec2 u = vec2(0.5f - 0.5f * d.z, phi < 0.0f ? phi + 1.0f : phi);
     return clamp(u, vec2(0.0f), vec2(ONE_MINUS_EPSILON));
 }

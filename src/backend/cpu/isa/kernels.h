@@ -99,7 +99,23 @@ struct Kernels {
         return e.texelScale * mix(mix(unpackRadiance(top[x0]), unpackRadiance(top[x1]), ax),
                                   mix(unpackRadiance(low[x0]), unpackRadiance(low[x1]), ax), ay);
     }
+    void prefetch_environment(vec2 uv) {
+        const EnvironmentView& e = view.environment;
+        const int x = std::clamp(int(uv.x * float(e.width) - 0.5f), 0, int(e.width) - 1);
+        const int y = std::clamp(int(uv.y * float(e.height) - 0.5f), 0, int(e.height) - 1);
+        const uint32_t* top = e.texels + size_t(y) * e.width + size_t(x);
+        __builtin_prefetch(top);
+        __builtin_prefetch(y + 1 < int(e.height) ? top + e.width : top);
+    }
+    void prefetch_environment_cell(uint i) { __builtin_prefetch(view.environment.cells + i); }
+    void prefetch_environment_density(uint i) {
+        __builtin_prefetch(view.environment.densities + i);
+    }
     const EnvironmentCell& load_environment_cell(uint i) { return view.environment.cells[i]; }
+    float load_environment_density(uint i) {
+        const EnvironmentView& e = view.environment;
+        return std::bit_cast<float>(uint32_t(e.densities[i]) << 16) * e.densityScale;
+    }
 
     // Rays.
     Hit trace_closest(const Ray& ray);
