@@ -6,6 +6,7 @@
 
 #include "io/gltf.h"
 #include "io/image_file.h"
+#include "scene/environment_table.h"
 #include "scene/sky.h"
 
 namespace gp::bench {
@@ -23,7 +24,7 @@ void setEnvironment(Scene& scene, const SceneOptions& options) {
         throw io::FileError(io::FileError::Kind::invalid, options.environment, "holds no radiance");
     float* p = image.floats();
     for (size_t i = 0; i < size_t(image.width) * image.height * 4; ++i) p[i] = std::max(p[i], 0.0f);
-    scene.environment.image = std::make_shared<Image>(std::move(image));
+    scene.environment.table = makeEnvironmentTable(p, image.width, image.height);
     scene.environment.color = glm::vec3(1);
     scene.environment.rotation = radians(options.environmentRotationDeg);
 }

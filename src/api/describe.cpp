@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/environment_table.h"
+
 namespace gp::api {
 
 namespace {
@@ -152,11 +154,11 @@ Json jsonOf(const Camera& c) {
 }
 
 Json jsonOf(const Environment& e) {
-    if (!e.image && e.color == glm::vec3(0)) return nullptr;
+    if (!e.table && e.color == glm::vec3(0)) return nullptr;
     Json j = {{"color", jsonOf(e.color)}, {"rotation", e.rotation}};
-    if (e.image) {
-        j["width"] = e.image->width;
-        j["height"] = e.image->height;
+    if (e.table) {
+        j["width"] = e.table->width;
+        j["height"] = e.table->height;
     }
     return j;
 }

@@ -2,6 +2,7 @@
 
 #include "api/check.h"
 #include "api/pixels.h"
+#include "scene/environment_table.h"
 #include "scene/sky.h"
 
 namespace gp::api {
@@ -22,17 +23,6 @@ Environment tintFrom(const GpEnvironmentDesc& desc, bool hasImage) {
     return environment;
 }
 
-std::shared_ptr<const Image> imageFrom(const std::vector<float>& rgba, uint32_t width,
-                                       uint32_t height) {
-    auto image = std::make_shared<Image>();
-    image->width = width;
-    image->height = height;
-    image->format = PixelFormat::rgba32f;
-    image->pixels.resize(rgba.size() * sizeof(float));
-    std::memcpy(image->pixels.data(), rgba.data(), image->pixels.size());
-    return image;
-}
-
 Environment environmentFrom(const GpEnvironmentDesc& desc) {
     if (desc.width == 0 && desc.height == 0) {
         if (desc.pixels)
@@ -44,7 +34,7 @@ Environment environmentFrom(const GpEnvironmentDesc& desc) {
     const size_t count = size_t(desc.width) * desc.height * 4;
     checkNotNegative(desc.pixels, count, "pixels");
     Environment environment = tintFrom(desc, true);
-    environment.image = imageFrom({desc.pixels, desc.pixels + count}, desc.width, desc.height);
+    environment.table = makeEnvironmentTable(desc.pixels, desc.width, desc.height);
     return environment;
 }
 
@@ -60,7 +50,8 @@ Environment environmentFrom(const char* path, const GpEnvironmentDesc& desc) {
         // Resampling filters of other programs leave small negative values beside bright ones.
         rgba[i] = std::max(rgba[i], 0.0f);
     }
-    environment.image = imageFrom(rgba, file.image.width, file.image.height);
+    environment.table =
+        makeEnvironmentTable(rgba.data(), file.image.width, file.image.height);
     return environment;
 }
 

@@ -89,7 +89,7 @@ GpSceneInfo infoOf(const Scene& scene) {
     for (const Texture* texture : uniques.textures) info.textureBytes += texture->pixels.size();
     info.lights = scene.lights.size();
     info.cameras = scene.cameras.size();
-    info.hasEnvironment = scene.environment.image || scene.environment.color != glm::vec3(0);
+    info.hasEnvironment = scene.environment.table || scene.environment.color != glm::vec3(0);
     describeBounds(scene, info);
     return info;
 }

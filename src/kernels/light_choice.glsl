@@ -287,8 +287,8 @@ vec3 chosen_light_radiance(IN(ChosenLight) c) {
                                         : c.point.radiance;
 }
 
-// The density in solid angle with which sample_local_light leads from p to the point p + to_light of a
-// light that is not infinitely far.
+// The density in solid angle with which sample_local_light leads from p to the point p + to_light
+// of a light that is not infinitely far.
 float light_pdf(IN(LightRecord) r, vec3 p, vec3 to_light) {
     if (r.kind == LIGHT_RECTANGLE) { return rectangle_light_pdf(rectangle_light(r), p, to_light); }
     if (r.kind == LIGHT_TRIANGLE) { return triangle_light_pdf(triangle_light(r), to_light); }

@@ -23,6 +23,13 @@ vec4 read_slot(IN(TextureSlot) slot, IN(Surface) s, float u_lod) {
     return sample_texture(slot.texture_index, moved, s.lod, u_lod);
 }
 
+// SURFACE_ bits of what load_shading_point will use.
+uint surface_needs(IN(MaterialRecord) m, bool diffuse) {
+    bool uv = m.textures != 0u || (m.flags & MATERIAL_NEEDS_UV) != 0u;
+    bool mapped = (m.textures & (SLOT_NORMAL | SLOT_COAT_NORMAL)) != 0u || m.anisotropy > 0.0f;
+    return (uv ? SURFACE_UV : 0u) | (mapped && !diffuse ? SURFACE_UV | SURFACE_TANGENT : 0u);
+}
+
 float alpha_from_roughness(float roughness) {
     return max(roughness * roughness, BSDF_MIN_ALPHA);
 }

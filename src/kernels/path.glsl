@@ -1,7 +1,9 @@
-// The reference: one whole path through a pixel. At every surface one light is chosen for a shadow
-// ray, and one direction by the material; what both could have found is weighted between them.
+// The reference: paths through pixels, a surface at a time. At every surface one light is chosen
+// for a shadow ray, and one direction by the material; what both could have found is weighted
+// between them. A backend traces the rays between the surfaces: path_begin, then, with what the
+// path's ray met in `hit`, path_continue until the path has ended.
 // Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8-10.
-// Resources: trace_closest, trace_visible, note_shadow_ray, and those of the files included.
+// Resources: trace_visible, note_shadow_ray, and those of the files included.
 #ifndef GP_KERNELS_PATH_GLSL
 #define GP_KERNELS_PATH_GLSL
 #include "kernels/environment.glsl"
@@ -32,11 +34,6 @@ struct PathGuides {
     uint instance;    // 1 + index, 0: nothing
 };
 
-struct PathSample {
-    PathLight light;
-    PathGuides guides;
-};
-
 // The vertex that a ray leaves, as far as the weight of what it meets depends on it.
 struct PathVertex {
     vec3 position;
@@ -45,12 +42,20 @@ struct PathVertex {
     LightGroups groups; // what its shadow ray was chosen among
 };
 
-// Where a path stands.
+// A path between two surfaces.
 struct PathState {
+    Ray ray;            // the camera's, or what left the last surface
+    Hit hit;            // what it met
+    RayCone cone;       // at the ray's start
+    Sampler draws;      // at the path's first draw
+    PathVertex from;    // where the ray starts
     vec3 throughput;
     float eta_scale;    // radiance is compressed by refraction; roulette must not see that
     vec3 attenuation;   // of the medium around, 1/m
     uint depth;         // surfaces met so far
+    uint ended;         // 1: light and guides are final, there is no ray
+    PathLight light;
+    PathGuides guides;
 };
 
 // Draws of one surface, in a fixed order: a path's dimensions do not depend on what was drawn
@@ -133,19 +138,16 @@ PathGuides guides_of(IN(ShadingPoint) p, IN(Hit) hit, vec3 wo) {
     return g;
 }
 
-PathSample empty_path_sample() {
-    PathSample r;
-    r.light.emission = vec3(0.0f);
-    r.light.direct = vec3(0.0f);
-    r.light.indirect = vec3(0.0f);
-    r.guides.albedo = vec3(0.0f);
-    r.guides.coverage = 0.0f;
-    r.guides.normal = vec3(0.0f);
-    r.guides.depth = 0.0f;
-    r.guides.roughness = 0.0f;
-    r.guides.metallic = 0.0f;
-    r.guides.instance = 0u;
-    return r;
+PathGuides no_guides() {
+    PathGuides g;
+    g.albedo = vec3(0.0f);
+    g.coverage = 0.0f;
+    g.normal = vec3(0.0f);
+    g.depth = 0.0f;
+    g.roughness = 0.0f;
+    g.metallic = 0.0f;
+    g.instance = 0u;
+    return g;
 }
 
 // Whether light turning from wo to wi stays on the side of the surface that its shading normal
@@ -201,117 +203,156 @@ vec3 shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) choice, v
     return radiance * (w / density * visible);
 }
 
-// `ray` and `hit`: the camera ray and what it met; `cone`: its cone; `draws`: at the path's first
-// draw.
-PathSample trace_path(Ray ray, Hit hit, RayCone cone, IN(Sampler) draws) {
-    LET_REF(FrameConstants) f = load_frame();
-    PathSample r = empty_path_sample();
-    PathVertex from;
-    from.position = ray.origin;
-    from.pdf = 0.0f;
-    PathState state;
-    state.throughput = vec3(1.0f);
-    state.eta_scale = 1.0f;
-    state.attenuation = vec3(0.0f);
-    state.depth = 0u;
+// `ray`: the camera's, `cone`: its cone.
+PathState path_begin(Ray ray, RayCone cone, IN(Sampler) draws) {
+    PathState path;
+    path.ray = ray;
+    path.hit.instance = HIT_NOTHING;
+    path.cone = cone;
+    path.draws = draws;
+    path.from.position = ray.origin;
+    path.from.pdf = 0.0f;
+    path.throughput = vec3(1.0f);
+    path.eta_scale = 1.0f;
+    path.attenuation = vec3(0.0f);
+    path.depth = 0u;
+    path.ended = 0u;
+    path.light.emission = vec3(0.0f);
+    path.light.direct = vec3(0.0f);
+    path.light.indirect = vec3(0.0f);
+    path.guides = no_guides();
+    return path;
+}
 
-    while (true) {
-        if (hit.instance == HIT_NOTHING) {
-            r.light =
-                add_light(r.light, state.throughput * sky_light(from, ray.direction), state.depth);
-            break;
-        }
-        if (state.attenuation != vec3(0.0f)) {
-            state.throughput *= medium_transmittance(state.attenuation, hit.t);
-        }
-        if (hit.instance == HIT_LIGHT) {
-            LET_REF(LightRecord) record = load_light(hit.primitive);
-            vec3 emitted = light_radiance(record, from.position, ray.direction) *
-                         found_light_weight(from, hit.primitive, ray.direction, hit.t);
-            r.light = add_light(r.light, state.throughput * emitted, state.depth);
-            r.guides.coverage = state.depth == 0u ? 1.0f : r.guides.coverage;
-            break;
-        }
-        LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
-        bool roulette = f.russian_roulette != 0u && state.depth >= ROULETTE_DEPTH;
-        vec2 u_light = draw_at(draws, state.depth, DRAW_LIGHT);
-        environment_expect_sample(u_light);
-        vec2 u_others = vec2(0.0f);
-        if (roulette || material.textures != 0u) {
-            u_others = draw_at(draws, state.depth, DRAW_OTHERS);
-        }
-        vec3 wo = -ray.direction;
-        cone = ray_cone_propagate(cone, hit.t);
-        bool textured = material.textures != 0u || (material.flags & MATERIAL_NEEDS_UV) != 0u;
-        Surface s = load_surface(hit, ray.direction, cone, textured);
-        PathVertex at;
-        at.position = s.position;
-        at.normal = dot(s.ng, wo) > 0.0f ? s.ng : -s.ng;
-        if (f.diffuse_shading == 0u && (material.flags & MATERIAL_TRANSMISSIVE) != 0u) {
-            at.normal = vec3(0.0f);
-        }
-        at.groups = light_groups(at.position, at.normal);
-        vec2 u_choices = draw_at(draws, state.depth, DRAW_CHOICES);
-        ChosenLight light =
-            choose_light_point(at.groups, at.position, at.normal, u_choices.x, u_light);
-        ShadingPoint p = load_shading_point(material, s, wo, u_others.x, f.diffuse_shading != 0u);
-        if (state.depth == 0u) { r.guides = guides_of(p, hit, wo); }
-        if ((p.flags & MATERIAL_UNLIT) != 0u) {
-            // Shown to the camera and in mirrors; it casts no light on anything.
-            vec3 shown = from.pdf == 0.0f ? p.bsdf.base_color : vec3(0.0f);
-            r.light = add_light(r.light, state.throughput * shown, state.depth);
-            break;
-        }
-        if ((p.flags & MATERIAL_EMISSIVE) != 0u) {
-            float w = found_light_weight(from, load_light_of_triangle(hit.instance, hit.primitive),
-                                         ray.direction, hit.t);
-            r.light = add_light(r.light, state.throughput * p.emission * w, state.depth);
-        }
-        if (state.depth > f.max_bounces) { break; }
+void path_end(INOUT(PathState) path, vec3 light) {
+    path.light = add_light(path.light, path.throughput * light, path.depth);
+    path.ended = 1u;
+}
 
-        // Light that is chosen, and light that the material finds by itself.
-        vec3 wo_local = local_from_world(p.frame, wo);
-        bool specular = bsdf_is_specular(p.bsdf);
-        // The last surface's own ray would only weigh against the shadow ray: where that finds
-        // infinitely far light well by itself, it is left out.
-        bool last =
-            state.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
-        if (!specular) {
-            vec3 direct = shadowed_light(s, p, light, wo_local, wo, state.attenuation, !last);
-            r.light = add_light(r.light, state.throughput * direct, state.depth + 1u);
-        }
-        if (last && !specular) { break; }
-        BsdfSample b =
-            bsdf_sample(p.bsdf, wo_local, u_choices.y, draw_at(draws, state.depth, DRAW_BSDF));
-        if (!(b.pdf > 0.0f) || !(max_component(b.weight) > 0.0f)) { break; }
-        vec3 wi = world_from_local(p.frame, b.wi);
-        if (!sides_agree(s, wo, wi, wo_local, b.wi)) { break; }
-        state.throughput *= b.weight;
-        if ((b.lobe & LOBE_TRANSMISSION) != 0u && p.bsdf.thin == 0u) {
-            bool entering = wo_local.z > 0.0f;
-            state.attenuation = entering ? p.attenuation : vec3(0.0f);
-            float eta = entering ? p.bsdf.ior : 1.0f / p.bsdf.ior;
-            state.eta_scale *= eta * eta;
-        }
+// A lamp's shape.
+void path_end_at_light(INOUT(PathState) path) {
+    LET_REF(LightRecord) record = load_light(path.hit.primitive);
+    if (path.depth == 0u) { path.guides.coverage = 1.0f; }
+    path_end(path, light_radiance(record, path.from.position, path.ray.direction) *
+                       found_light_weight(path.from, path.hit.primitive, path.ray.direction,
+                                          path.hit.t));
+}
 
-        // Roulette: paths that carry little end early, the others make up for them.
-        // [Arvo and Kirk 1990, "Particle Transport and Image Synthesis"]
-        if (roulette) {
-            float survival =
-                min(max_component(state.throughput) * state.eta_scale, ROULETTE_SURVIVAL);
-            if (u_others.y >= survival) { break; }
-            state.throughput /= survival;
-        }
-
-        from = at;
-        from.pdf = specular ? 0.0f : b.pdf;
-        cone = ray_cone_bounce(cone, (b.lobe & LOBE_DIFFUSE) != 0u ? 1.0f : p.bsdf.alpha_x);
-        ray = ray_from(s, wi, FLOAT_MAX);
-        state.depth += 1u;
-        environment_expect_light(wi);
-        hit = trace_closest(ray);
+// What the surface itself shines towards wo: a lamp of triangles, or an unlit surface, which is
+// shown to the camera and in mirrors but casts no light on anything.
+vec3 own_light(IN(PathState) path, IN(ShadingPoint) p) {
+    if ((p.flags & MATERIAL_UNLIT) != 0u) {
+        return path.from.pdf == 0.0f ? p.bsdf.base_color : vec3(0.0f);
     }
-    return r;
+    if ((p.flags & MATERIAL_EMISSIVE) == 0u) { return vec3(0.0f); }
+    uint light = load_light_of_triangle(path.hit.instance, path.hit.primitive);
+    return p.emission * found_light_weight(path.from, light, path.ray.direction, path.hit.t);
+}
+
+// The path goes on along b, or ends. u_roulette below 0: it is not cut off by chance.
+void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(PathVertex) at,
+                vec3 wo_local, IN(BsdfSample) b, float u_roulette) {
+    path.ended = 1u;
+    if (!(b.pdf > 0.0f) || !(max_component(b.weight) > 0.0f)) { return; }
+    vec3 wi = world_from_local(p.frame, b.wi);
+    if (!sides_agree(s, -path.ray.direction, wi, wo_local, b.wi)) { return; }
+    path.throughput *= b.weight;
+    if ((b.lobe & LOBE_TRANSMISSION) != 0u && p.bsdf.thin == 0u) {
+        bool entering = wo_local.z > 0.0f;
+        path.attenuation = entering ? p.attenuation : vec3(0.0f);
+        float eta = entering ? p.bsdf.ior : 1.0f / p.bsdf.ior;
+        path.eta_scale *= eta * eta;
+    }
+    // Roulette: paths that carry little end early, the others make up for them.
+    // [Arvo and Kirk 1990, "Particle Transport and Image Synthesis"]
+    if (u_roulette >= 0.0f) {
+        float survival = min(max_component(path.throughput) * path.eta_scale, ROULETTE_SURVIVAL);
+        if (u_roulette >= survival) { return; }
+        path.throughput /= survival;
+    }
+    path.from = at;
+    path.from.pdf = bsdf_is_specular(p.bsdf) ? 0.0f : b.pdf;
+    path.cone =
+        ray_cone_bounce(path.cone, (b.lobe & LOBE_DIFFUSE) != 0u ? 1.0f : p.bsdf.alpha_x);
+    path.ray = ray_from(s, wi, FLOAT_MAX);
+    path.depth += 1u;
+    path.ended = 0u;
+    environment_expect_light(wi);
+}
+
+PathVertex path_vertex(IN(Surface) s, vec3 wo, bool transmissive) {
+    PathVertex at;
+    at.position = s.position;
+    at.normal = transmissive ? vec3(0.0f) : dot(s.ng, wo) > 0.0f ? s.ng : -s.ng;
+    at.groups = light_groups(at.position, at.normal);
+    at.pdf = 0.0f;
+    return at;
+}
+
+// The surface that path.hit names: its own light, a shadow ray, the next ray.
+void path_scatter(INOUT(PathState) path) {
+    LET_REF(FrameConstants) f = load_frame();
+    LET_REF(MaterialRecord) material = load_material(load_instance(path.hit.instance).material);
+    bool roulette = f.russian_roulette != 0u && path.depth >= ROULETTE_DEPTH;
+    vec2 u_others = vec2(0.0f);
+    if (roulette || material.textures != 0u) {
+        u_others = draw_at(path.draws, path.depth, DRAW_OTHERS);
+    }
+    bool diffuse = f.diffuse_shading != 0u;
+    bool matte = diffuse || (material.flags & MATERIAL_MATTE) != 0u;
+    vec2 u_choices = vec2(0.0f);
+    if (!matte || f.only_environment == 0u) {
+        u_choices = draw_at(path.draws, path.depth, DRAW_CHOICES);
+    }
+    vec3 wo = -path.ray.direction;
+    path.cone = ray_cone_propagate(path.cone, path.hit.t);
+    Surface s = load_surface(path.hit, path.ray.direction, path.cone,
+                             surface_needs(material, diffuse));
+    PathVertex at =
+        path_vertex(s, wo, !diffuse && (material.flags & MATERIAL_TRANSMISSIVE) != 0u);
+    ChosenLight light = choose_light_point(at.groups, at.position, at.normal, u_choices.x,
+                                           draw_at(path.draws, path.depth, DRAW_LIGHT));
+    ShadingPoint p = load_shading_point(material, s, wo, u_others.x, diffuse);
+    if (path.depth == 0u) { path.guides = guides_of(p, path.hit, wo); }
+    path.light = add_light(path.light, path.throughput * own_light(path, p), path.depth);
+    path.ended = 1u;
+    if ((p.flags & MATERIAL_UNLIT) != 0u || path.depth > f.max_bounces) { return; }
+
+    vec3 wo_local = local_from_world(p.frame, wo);
+    // The last surface's own ray would only weigh against the shadow ray: where that finds
+    // infinitely far light well by itself, it is left out.
+    bool last = path.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
+    if (!bsdf_is_specular(p.bsdf)) {
+        vec3 direct = shadowed_light(s, p, light, wo_local, wo, path.attenuation, !last);
+        path.light = add_light(path.light, path.throughput * direct, path.depth + 1u);
+        if (last) { return; }
+    }
+    BsdfSample b = bsdf_sample(p.bsdf, wo_local, u_choices.y,
+                               draw_at(path.draws, path.depth, DRAW_BSDF));
+    path_leave(path, s, p, at, wo_local, b, roulette ? u_others.y : -1.0f);
+}
+
+// path.hit has become known; path_continue follows, after something else has been done.
+void path_expect(IN(PathState) path) {
+    if (path.hit.instance != HIT_NOTHING && path.hit.instance != HIT_LIGHT) {
+        environment_expect_sample(draw_at(path.draws, path.depth, DRAW_LIGHT));
+    }
+}
+
+// From what the path's ray met to the next ray, or to the end.
+void path_continue(INOUT(PathState) path) {
+    if (path.hit.instance == HIT_NOTHING) {
+        path_end(path, sky_light(path.from, path.ray.direction));
+        return;
+    }
+    if (path.attenuation != vec3(0.0f)) {
+        path.throughput *= medium_transmittance(path.attenuation, path.hit.t);
+    }
+    if (path.hit.instance == HIT_LIGHT) {
+        path_end_at_light(path);
+    } else {
+        path_scatter(path);
+    }
 }
 
 #endif

@@ -51,9 +51,12 @@ vec3 bend_to_viewer(vec3 n, vec3 wo) {
     return c > 0.0f ? n : normalize(n + wo * (1.0e-3f - c));
 }
 
-// `cone` is the ray's cone at the hit. `textured`: someone will ask for texture coordinates and
-// colours.
-Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool textured) {
+// What the material will ask of a surface beside position and normal.
+#define SURFACE_UV 1u       // texture coordinates and colours
+#define SURFACE_TANGENT 2u  // for normal maps and anisotropy
+
+// `cone` is the ray's cone at the hit; `needs`: SURFACE_ bits.
+Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) {
     LET_REF(InstanceRecord) instance = load_instance(hit.instance);
     TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
     Surface s;
@@ -77,9 +80,9 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool texture
     s.uv1 = vec2(0.0f);
     s.color = vec4(1.0f);
     s.lod = 0.0f;
-    if (!textured) { return s; }
-    // Tangents are needed by normal maps and anisotropy only; a code of zero says there are none.
-    if (c.tangent0 != 0u) {
+    if (needs == 0u) { return s; }
+    // A code of zero says that there is none.
+    if ((needs & SURFACE_TANGENT) != 0u && c.tangent0 != 0u) {
         vec3 t = transform_vector(
             instance, interpolate(tangent_decode(c.tangent0), tangent_decode(c.tangent1),
                                   tangent_decode(c.tangent2), hit.u, hit.v));
@@ -93,8 +96,7 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, bool texture
     vec2 d1 = c.uv1 - c.uv0;
     vec2 d2 = c.uv2 - c.uv0;
     float twice_uv_area = abs(d1.x * d2.y - d1.y * d2.x);
-    s.lod = ray_cone_lod(cone, triangle_lod(twice_uv_area, twice_area), dot(s.ng, direction),
-                         vec2(1.0f));
+    s.lod = ray_cone_lod(cone, twice_uv_area, twice_area, dot(s.ng, direction));
     return s;
 }
 

@@ -16,18 +16,25 @@ namespace {
 // on the sphere's equator.
 constexpr uint32_t maxSide = 512;
 
-std::vector<float> luminanceOf(const Image& image) {
-    std::vector<float> luminance(size_t(image.width) * image.height);
-    const float* p = image.floats();
+// As the caller handed it in.
+struct Pixels {
+    const float* rgba;
+    uint32_t width, height;
+    size_t count() const { return size_t(width) * height; }
+};
+
+std::vector<float> luminanceOf(const Pixels& image) {
+    std::vector<float> luminance(image.count());
+    const float* p = image.rgba;
     for (size_t i = 0; i < luminance.size(); ++i, p += 4)
         luminance[i] = std::max(0.0f, shading::luminance(glm::vec3(p[0], p[1], p[2])));
     return luminance;
 }
 
 // [EXT_texture_shared_exponent, section 3.8.1, with glm's packing]
-void packTexels(const Image& image, EnvironmentTable& table) {
-    const float* p = image.floats();
-    const size_t n = size_t(image.width) * image.height;
+void packTexels(const Pixels& image, EnvironmentTable& table) {
+    const float* p = image.rgba;
+    const size_t n = image.count();
     float largest = 0;
     for (size_t i = 0; i < n; ++i)
         for (size_t c = 0; c < 3; ++c) largest = std::max(largest, p[4 * i + c]);
@@ -49,7 +56,7 @@ Span pixelsOf(uint32_t c, uint32_t side, uint32_t n) {
 }
 
 // The mean luminance of a cell's pixels times its share of the sphere.
-std::vector<double> cellWeights(const Image& image, const std::vector<float>& luminance,
+std::vector<double> cellWeights(const Pixels& image, const std::vector<float>& luminance,
                                 uint32_t side) {
     std::vector<double> weights(size_t(side) * side);
     const int w = int(image.width), h = int(image.height);
@@ -114,24 +121,30 @@ void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTabl
 
 }  // namespace
 
-EnvironmentTable makeEnvironmentTable(const Image& image) {
+glm::vec3 EnvironmentTable::radiance(uint32_t x, uint32_t y) const {
+    if (black()) return glm::vec3(0);
+    return glm::unpackF3x9_E1x5(texels[size_t(y) * width + x]) * texelScale;
+}
+
+std::shared_ptr<const EnvironmentTable> makeEnvironmentTable(const float* rgba, uint32_t width,
+                                                             uint32_t height) {
+    const Pixels image{rgba, width, height};
     const std::vector<float> luminance = luminanceOf(image);
-    EnvironmentTable table;
-    for (uint32_t y = 0; y < image.height; ++y) {
+    auto table = std::make_shared<EnvironmentTable>();
+    table->width = width, table->height = height;
+    for (uint32_t y = 0; y < height; ++y) {
         double row = 0;
-        for (uint32_t x = 0; x < image.width; ++x)
-            row += double(luminance[size_t(y) * image.width + x]);
+        for (uint32_t x = 0; x < width; ++x) row += double(luminance[size_t(y) * width + x]);
         // The share of the sphere that a row of pixels covers.
-        const double share =
-            0.5 * (std::cos(M_PI * y / image.height) - std::cos(M_PI * (y + 1) / image.height));
-        table.meanLuminance += row / image.width * share;
+        const double share = 0.5 * (std::cos(M_PI * y / height) - std::cos(M_PI * (y + 1) / height));
+        table->meanLuminance += row / width * share;
     }
-    if (!(table.meanLuminance > 0)) return {};
-    table.side = std::min(maxSide, std::bit_ceil(std::max(image.width, image.height)));
-    std::vector<double> weights = cellWeights(image, luminance, table.side);
-    const double sum = roundWeights(weights, table);
-    makeAliases(weights, sum, table);
-    packTexels(image, table);
+    if (!(table->meanLuminance > 0)) return table;
+    table->side = std::min(maxSide, std::bit_ceil(std::max(width, height)));
+    std::vector<double> weights = cellWeights(image, luminance, table->side);
+    const double sum = roundWeights(weights, *table);
+    makeAliases(weights, sum, *table);
+    packTexels(image, *table);
     return table;
 }
 

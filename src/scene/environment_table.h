@@ -4,15 +4,19 @@
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "scene/image.h"
+#include <glm/glm.hpp>
+
 #include "scene/large_pages.h"
 #include "shared/scene_structs.h"
 
 namespace gp {
 
 struct EnvironmentTable {
+    uint32_t width = 0, height = 0;  // of the image
+
     // The image, three mantissas of 9 bits and an exponent each: 4 bytes instead of 16, rounded to
     // a part in 1,000 of a pixel's largest channel (Radiance files have a part in 256). Rays read
     // it at random, and what counts is how much of it stays in the cache.
@@ -32,8 +36,9 @@ struct EnvironmentTable {
 
     double meanLuminance = 0; // over the sphere, W/(m^2 sr) as luminance
 
-    bool empty() const { return side == 0; }
+    bool black() const { return side == 0; }
     float density(uint32_t cell) const;
+    glm::vec3 radiance(uint32_t x, uint32_t y) const;  // of a pixel, W/(m^2 sr)
 };
 
 // A float from its upper half.
@@ -43,7 +48,8 @@ inline float EnvironmentTable::density(uint32_t cell) const {
     return wideFloat(densities[cell]) * densityScale;
 }
 
-// `image` is rgba32f.
-EnvironmentTable makeEnvironmentTable(const Image& image);
+// `rgba`: radiance in W/(m^2 sr), top row first, neither negative nor infinite; alpha is not read.
+std::shared_ptr<const EnvironmentTable> makeEnvironmentTable(const float* rgba, uint32_t width,
+                                                             uint32_t height);
 
 }  // namespace gp

@@ -7,9 +7,9 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/texture.h"
-
 namespace gp {
+
+struct EnvironmentTable;  // scene/environment_table.h
 
 enum class LightKind : uint8_t { directional, sphere, spot, rectangle };
 
@@ -34,8 +34,8 @@ struct Light {
 
 // Light from infinitely far in every direction. Latitude-longitude, shading/light/environment.glsl.
 struct Environment {
-    std::shared_ptr<const Image> image;  // rgba32f, radiance in W/(m^2 sr); null: constant `color`
-    glm::vec3 color{0};                  // multiplies the image; alone: a uniform surrounding
+    std::shared_ptr<const EnvironmentTable> table;  // an image; null: constant `color`
+    glm::vec3 color{0};  // multiplies the image; alone: a uniform surrounding, W/(m^2 sr)
     float rotation = 0;  // radians about world up, counter-clockwise seen from above
 };
 

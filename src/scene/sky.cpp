@@ -11,10 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include <tbb/parallel_for.h>
+
+#include "scene/environment_table.h"
 
 namespace gp {
 
@@ -164,17 +165,11 @@ Sky makeSky(const glm::dvec3& sun, double elevation) {
     return sky;
 }
 
-std::shared_ptr<Image> imageOf(const Sky& sky, const glm::dvec3& ground) {
-    auto image = std::make_shared<Image>();
-    image->width = skyWidth;
-    image->height = skyHeight;
-    image->format = PixelFormat::rgba32f;
-    image->pixels.resize(size_t(skyWidth) * skyHeight * bytesPerPixel(image->format));
-    for (size_t i = 0; i < size_t(skyWidth) * skyHeight; ++i) {
-        const glm::vec4 pixel(glm::vec3(i < sky.upper.size() ? sky.upper[i] : ground), 1);
-        std::memcpy(image->floats() + i * 4, &pixel, sizeof pixel);
-    }
-    return image;
+std::shared_ptr<const EnvironmentTable> tableOf(const Sky& sky, const glm::dvec3& ground) {
+    std::vector<glm::vec4> pixels(size_t(skyWidth) * skyHeight);
+    for (size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = glm::vec4(glm::vec3(i < sky.upper.size() ? sky.upper[i] : ground), 1);
+    return makeEnvironmentTable(&pixels[0].x, skyWidth, skyHeight);
 }
 
 }  // namespace
@@ -198,12 +193,12 @@ void setSky(Scene& scene, float sunAzimuth, float sunElevation, float sunLux) {
     sun->direction = -glm::vec3(towardsSun);
     sun->angularRadius = sunAngularRadius;
     sun->ofSky = true;
-    std::shared_ptr<const Image> image = imageOf(sky, onGround * (groundAlbedo / pi));
+    std::shared_ptr<const EnvironmentTable> table = tableOf(sky, onGround * (groundAlbedo / pi));
 
     scene.lights.reserve(scene.lights.size() + 1);  // the last step that can fail
     removeSkySun(scene);
     scene.lights.push_back(std::move(sun));
-    scene.environment = {std::move(image), glm::vec3(1), 0};
+    scene.environment = {std::move(table), glm::vec3(1), 0};
     ++scene.revision;
 }
 

@@ -36,23 +36,17 @@ RayCone ray_cone_bounce(IN(RayCone) cone, float alpha) {
     return next;
 }
 
-// The part of the level of detail that belongs to a triangle: half the logarithm of the area in
-// texture coordinates over that in the world. It may be stored, since textures come in later.
-// [Akenine-Moller et al. 2019, Ray Tracing Gems, chapter 20, equation 3, without texture size]
-float triangle_lod(float uv_area, float world_area) {
-    return 0.5f * log2(max(uv_area, 1.0e-20f) / max(world_area, 1.0e-20f));
-}
-
-// The level of a texture of `size` texels where the cone meets a surface under cos_theta; 0 or
-// less is the finest. We depart from the paper in one place: it divides the width by the cosine,
-// which gives the long axis of the footprint; we take the geometric mean of both axes, as the
-// many samples of a pixel average along the long one anyway and a blurred texture cannot be
-// sharpened again.
-// [Akenine-Moller et al. 2019, Ray Tracing Gems, chapter 20, equation 34]
-float ray_cone_lod(IN(RayCone) cone, float triangle_lod_value, float cos_theta, vec2 size) {
-    float width = max(abs(cone.width), 1.0e-20f);
+// The level of a texture, but for the logarithm of its size (half of that of its texels), where the
+// cone meets a triangle under cos_theta; uv_area, world_area: of the triangle, both of them or both
+// twice. We depart from the book in one place: it divides the width by the cosine, which gives the
+// long axis of the footprint; we take the geometric mean of both axes, as the many samples of a
+// pixel average along the long one anyway and a blurred texture cannot be sharpened again.
+// [Akenine-Moller et al. 2019, Ray Tracing Gems, chapter 20, equations 3 and 34]
+float ray_cone_lod(IN(RayCone) cone, float uv_area, float world_area, float cos_theta) {
+    float width = max(abs(cone.width), 1.0e-8f);
     float cosine = max(abs(cos_theta), 1.0e-4f);
-    return triangle_lod_value + 0.5f * log2(size.x * size.y) + log2(width) - 0.5f * log2(cosine);
+    float density = max(uv_area, 1.0e-20f) / max(world_area, 1.0e-20f);
+    return 0.5f * log2(max(density * (width * width) / cosine, 1.0e-37f));
 }
 
 #endif

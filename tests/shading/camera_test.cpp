@@ -127,14 +127,15 @@ TEST(RayCone, LevelOfDetail) {
     RayCone cone;
     cone.spread = 0.0f;
     cone.width = 1.0f / 256.0f;
-    const float triangle = triangle_lod(0.5f, 0.5f);
-    const vec2 size(256.0f, 256.0f);
-    EXPECT_NEAR(ray_cone_lod(cone, triangle, 1.0f, size), 0.0f, 1e-5f);
+    const float size = std::log2(256.0f);
+    EXPECT_NEAR(ray_cone_lod(cone, 0.5f, 0.5f, 1.0f) + size, 0.0f, 1e-5f);
     cone.width *= 8.0f;
-    EXPECT_NEAR(ray_cone_lod(cone, triangle, 1.0f, size), 3.0f, 1e-5f);
-    EXPECT_NEAR(ray_cone_lod(cone, triangle, -0.25f, size), 4.0f, 1e-5f);  // seen aslant
-    EXPECT_NEAR(ray_cone_lod(cone, triangle_lod(0.5f, 8.0f), 1.0f, size), 1.0f, 1e-5f);
-    EXPECT_TRUE(std::isfinite(ray_cone_lod(cone, triangle_lod(0.0f, 0.0f), 0.0f, size)));
+    EXPECT_NEAR(ray_cone_lod(cone, 0.5f, 0.5f, 1.0f) + size, 3.0f, 1e-5f);
+    EXPECT_NEAR(ray_cone_lod(cone, 0.5f, 0.5f, -0.25f) + size, 4.0f, 1e-5f);  // seen aslant
+    EXPECT_NEAR(ray_cone_lod(cone, 0.5f, 8.0f, 1.0f) + size, 1.0f, 1e-5f);
+    EXPECT_TRUE(std::isfinite(ray_cone_lod(cone, 0.0f, 0.0f, 0.0f)));
+    cone.width = 0.0f;
+    EXPECT_TRUE(std::isfinite(ray_cone_lod(cone, 0.0f, 1.0e20f, 1.0f)));
 }
 
 // A point of a surface, rounded to single precision, may lie behind it by some units in the last

@@ -27,7 +27,6 @@ void CpuScene::rebuild(const Scene& scene) {
     fillMaterials(scene);
     lights_ = makeLightTable(scene);
     fillInstances(scene);
-    fillEnvironment(scene);
     fillView(scene);
 }
 
@@ -279,13 +278,6 @@ void CpuScene::attachLights(const Scene& scene) {
     }
 }
 
-void CpuScene::fillEnvironment(const Scene& scene) {
-    const auto& image = scene.environment.image;
-    if (image == environmentImage_) return;
-    environmentImage_ = image;
-    environment_ = image ? makeEnvironmentTable(*image) : EnvironmentTable{};
-}
-
 // ------------------------------------------------------------------------------- the view
 
 void CpuScene::fillView(const Scene& scene) {
@@ -305,16 +297,15 @@ void CpuScene::fillView(const Scene& scene) {
     view_.lightTreeNodes = uint32_t(lights_.tree.size());
     view_.directionalLights = lights_.directionalCount;
     const Environment& e = scene.environment;
-    const bool black = e.image && environment_.empty();
-    view_.environmentColor = black ? glm::vec3(0) : e.color;
+    const EnvironmentTable* t = e.table.get();
+    view_.environmentColor = t && t->black() ? glm::vec3(0) : e.color;
     view_.environmentCos = std::cos(e.rotation), view_.environmentSin = std::sin(e.rotation);
-    const float mean = e.image ? float(environment_.meanLuminance) : 1.0f;
+    const float mean = t ? float(t->meanLuminance) : 1.0f;
     view_.environmentPower = 3.14159265f * mean * shading::luminance(view_.environmentColor);
-    if (!environment_.empty() && e.image)
-        view_.environment = {environment_.texels.data(), environment_.cells.data(),
-                             environment_.densities.data(), e.image->width, e.image->height,
-                             environment_.side, environment_.texelScale,
-                             environment_.densityScale};
+    if (t && !t->black())
+        view_.environment = {t->texels.data(), t->cells.data(), t->densities.data(), t->width,
+                             t->height, t->side, t->texelScale, t->densityScale};
+    environment_ = e.table;
 }
 
 }  // namespace gp::cpu

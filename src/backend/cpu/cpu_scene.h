@@ -52,7 +52,6 @@ private:
     void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
                   const TextureUse& use);
     void fillInstances(const Scene& scene);
-    void fillEnvironment(const Scene& scene);
     void attachLights(const Scene& scene);
     void fillView(const Scene& scene);
 
@@ -74,8 +73,7 @@ private:
     std::unordered_map<const Texture*, uint32_t> textureIndex_;
     LightTable lights_;
     std::vector<uint32_t> lightOfPrimitive_[4];  // spheres, rectangles; seen by the camera, or not
-    std::shared_ptr<const Image> environmentImage_;
-    EnvironmentTable environment_;
+    std::shared_ptr<const EnvironmentTable> environment_;
     SceneView view_{};
 };
 

@@ -4,7 +4,7 @@
 constexpr uint32_t maxTilePixels = 64;
 
 // Adds one path to its pixel.
-inline void addSample(PixelSums& s, const PathSample& r) {
+inline void addSample(PixelSums& s, const PathState& r) {
     const PathGuides& g = r.guides;
     const vec3 color = r.light.emission + r.light.direct + r.light.indirect;
     // A path whose numbers broke (0 * infinity in a hostile scene) counts as black, not as NaN.
@@ -27,25 +27,56 @@ inline void addSample(PixelSums& s, const PathSample& r) {
 struct TilePixels {
     Ray rays[maxTilePixels];
     Hit hits[maxTilePixels];
-    Sampler draws[maxTilePixels];
-    uint32_t alphaSeeds[maxTilePixels];
+    uint32_t alphaSeeds[maxTilePixels];  // each ray of a path gets one from the one before
     uvec2 pixels[maxTilePixels];
+    PathState paths[maxTilePixels];
 };
+
+// All paths of the tile go from surface to surface together: while one is shaded, what the others
+// will read is on its way to the cache, and the code of shading and of tracing stays there.
+inline void tracePaths(Kernels& k, TilePixels& t, uint32_t count) {
+    uint32_t active[maxTilePixels];
+    for (uint32_t i = 0; i < count; ++i) active[i] = i;
+    while (count > 0) {
+        for (uint32_t n = 0; n < count; ++n) {
+            k.expectTriangle(t.paths[active[n]].hit);
+            k.path_expect(t.paths[active[n]]);
+        }
+        for (uint32_t n = 0; n < count; ++n) k.expectCorners(t.paths[active[n]].hit);
+        uint32_t left = 0;
+        for (uint32_t n = 0; n < count; ++n) {
+            const uint32_t i = active[n];
+            k.pathSeed = t.alphaSeeds[i];
+            k.path_continue(t.paths[i]);
+            t.alphaSeeds[i] = k.pathSeed;
+            if (t.paths[i].ended == 0) active[left++] = i;
+        }
+        count = left;
+        for (uint32_t n = 0; n < count; ++n) {
+            const uint32_t i = active[n];
+            k.pathSeed = t.alphaSeeds[i];
+            t.paths[i].hit = k.trace_closest(t.paths[i].ray);
+            t.alphaSeeds[i] = k.pathSeed;
+        }
+    }
+}
 
 inline void traceSample(Kernels& k, const TileJob& job, const CameraParams& camera, TilePixels& t,
                         uint32_t count, uint32_t sample) {
-    for (uint32_t i = 0; i < count; ++i) {
-        t.draws[i] = sampler_begin(t.pixels[i], sample, job.frame->seed);
-        t.rays[i] = k.camera_ray_of_pixel(camera, t.pixels[i], t.draws[i]);
-        t.alphaSeeds[i] = hash_u32(t.draws[i].pixel_hash + sample * 0x9E3779B9u);
-    }
-    k.trace_camera(t.rays, t.alphaSeeds, t.hits, count);
     const RayCone cone = camera_ray_cone(camera, float(job.frame->height));
     for (uint32_t i = 0; i < count; ++i) {
-        k.pathSeed = t.alphaSeeds[i];
-        PathSample r = k.trace_path(t.rays[i], t.hits[i], cone, t.draws[i]);
-        r.guides.depth *= dot(t.rays[i].direction, camera.forward);
-        addSample(job.sums[size_t(t.pixels[i].y) * job.frame->width + t.pixels[i].x], r);
+        Sampler draws = sampler_begin(t.pixels[i], sample, job.frame->seed);
+        t.rays[i] = k.camera_ray_of_pixel(camera, t.pixels[i], draws);
+        t.paths[i] = k.path_begin(t.rays[i], cone, draws);
+        t.alphaSeeds[i] = hash_u32(draws.pixel_hash + sample * 0x9E3779B9u);
+    }
+    k.trace_camera(t.rays, t.alphaSeeds, t.hits, count);
+    for (uint32_t i = 0; i < count; ++i) t.paths[i].hit = t.hits[i];
+    tracePaths(k, t, count);
+    for (uint32_t i = 0; i < count; ++i) {
+        PathState& path = t.paths[i];
+        path.guides.depth *= dot(t.rays[i].direction, camera.forward);
+        addSample(job.sums[size_t(t.pixels[i].y) * job.frame->width + t.pixels[i].x], path);
     }
 }
 

@@ -68,6 +68,22 @@ struct Kernels {
         r.pad0 = 0;
         return r;
     }
+    // What load_triangle will read, in two steps of one look-up each.
+    void expectTriangle(const Hit& hit) {
+        if (hit.instance >= HIT_LIGHT) return;
+        const GeometryView& g = view.geometries[view.instances[hit.instance].geometry];
+        __builtin_prefetch(g.triangles + hit.primitive);
+    }
+    void expectCorners(const Hit& hit) {
+        if (hit.instance >= HIT_LIGHT) return;
+        const GeometryView& g = view.geometries[view.instances[hit.instance].geometry];
+        const uvec3 t = g.triangles[hit.primitive];
+        const auto* vertices = static_cast<const PackedVertex*>(g.vertices);
+        for (int i = 0; i < 3; ++i) {
+            __builtin_prefetch(g.positions + t[i]);
+            __builtin_prefetch(vertices + t[i]);
+        }
+    }
     vec2 load_uv1(uint geometry, uint primitive, float u, float v) {
         const GeometryView& g = view.geometries[geometry];
         if (!g.uv1) return vec2(0);
@@ -138,7 +154,7 @@ struct Kernels {
 #include "kernels/tonemap.glsl"
 };
 
-using PathSample = Kernels::PathSample;
+using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
 
 #include "backend/cpu/ray_tracing.h"
