@@ -612,8 +612,8 @@ GP_API GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc);
 GP_API GpError gpReleaseBsdf(GpBsdf bsdf);
 /* Model, values of all parameters and notices (what was clamped) as a JSON text. */
 GP_API GpError gpDescribeBsdf(GpBsdf bsdf, char* text, size_t size, size_t* needed);
-/* `count` values, at most 2^26. wi, to the light, and wo, to the viewer, leave the surface, three floats each, of
- * any length but 0; normal +Z, tangent +X. */
+/* `count` values, at most 2^26. wi, to the light, and wo, to the viewer, leave the surface, three
+ * floats each, of any length but 0; normal +Z, tangent +X. */
 GP_API GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* wo,
                               GpBsdfValue* values);
 
