@@ -109,8 +109,10 @@ CsvTable parseCsv(const std::string& path, std::string_view text) {
 
 CsvTable readCsv(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
+    const bool empty = file && file.peek() == std::ifstream::traits_type::eof();
     std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) {
+    // A folder can be opened, but not read; of an empty file nothing can be passed on.
+    if (file.bad() || !file.is_open() || (!empty && !(text << file.rdbuf()))) {
         throw RunError(fmt::format("{}: cannot read: {}", path, std::strerror(errno)));
     }
     return parseCsv(path, text.str());

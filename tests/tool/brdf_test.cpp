@@ -139,6 +139,7 @@ TEST(BrdfTable, RefusesWithFileLineAndThing) {
     writeText(in, "");
     expectError(runTool({"brdf", "eval", "--csv", in}), 1, "is empty");
     expectError(runTool({"brdf", "eval", "--csv", folder("none.csv")}), 1, "none.csv");
+    expectError(runTool({"brdf", "eval", "--csv", folder("")}), 1, "cannot read");
     writeText(in, kHead + good);
     expectError(runTool({"brdf", "eval", "--csv", in, "-o", folder("no/x.csv")}), 1, "no/x.csv");
     EXPECT_EQ(folder.fileCount(), 1u);
