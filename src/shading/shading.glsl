@@ -13,6 +13,7 @@
 #include "shading/sampling/sobol.glsl"
 #include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
+#include "shading/sampling/cosine_power.glsl"
 #include "shading/sampling/morton.glsl"
 #include "shading/sampling/alias.glsl"
 #include "shading/sampling/mis.glsl"
@@ -32,6 +33,7 @@
 #include "shading/light/environment.glsl"
 #include "shading/light/tree.glsl"
 
+#include "shading/special.glsl"
 #include "shading/fresnel.glsl"
 #include "shading/iridescence.glsl"
 #include "shading/microfacet/ggx.glsl"
