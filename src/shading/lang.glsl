@@ -4,4 +4,5 @@
 #define IN(T) in T
 #define INOUT(T) inout T
 #define LET_REF(T) T
+#define OUT_OF_LINE
 #endif

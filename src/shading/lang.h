@@ -14,6 +14,9 @@
 // A local name for what a function returns, without a copy where the language can.
 #define LET_REF(T) const T&
 
+// A function that the hot code only meets by way of exception: kept out of it.
+#define OUT_OF_LINE [[gnu::noinline, gnu::cold]]
+
 // Included as  namespace gp::shading { namespace { using namespace glm;  …files…  } }
 // by shading/shading.h; unused functions are the normal case.
 #define GP_SHADING_BEGIN                                   \
