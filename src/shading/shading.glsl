@@ -31,11 +31,15 @@
 #include "shading/light/environment.glsl"
 #include "shading/light/tree.glsl"
 
+#include "shading/special.glsl"
 #include "shading/fresnel.glsl"
 #include "shading/iridescence.glsl"
 #include "shading/microfacet/ggx.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"
+#include "shading/microfacet/empirical.glsl"
+#include "shading/microfacet/masking.glsl"
+#include "shading/microfacet/distribution.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 #endif
