@@ -41,7 +41,8 @@ float gtr_d(vec3 wm, float alpha, float gamma) {
 float gtr_exponential_place(float l, float gamma, float u) {
     float k = (1.0f - gamma) * l;
     float e = expm1_over(k);
-    return u * e * log1p_over(u * k * e);
+    // k e is e^k - 1 > -1, but not by its rounding error.
+    return u * e * log1p_over(max(u * k * e, -ONE_MINUS_EPSILON));
 }
 
 // sin^2 of a normal with the density D cos; u in [0, 1).
