@@ -11,7 +11,8 @@ With t the tangent of a normal and P22 = D cos^4, a direction of cotangent c has
 the projected area of the facets that look away from it (Heitz 2014, equation 16, with
 integral D (wo . wm) = cos). It grows like m / c at grazing angles, m = 2 integral P22 t^2 dt, so
 G1 = 1 / (1 + Lambda) is stored over u = c / (c + m), by which it is divided: between 1 and 1.33 for
-every distribution here. m over the width is stored as a logarithm. masking.glsl has the coordinates.
+every distribution here. m over the width is stored as a logarithm. tabulated_lambda.glsl has the
+coordinates.
 """
 import math
 from math import acos, asinh, exp, expm1, gamma, log, pi, sinh, sqrt
@@ -81,7 +82,7 @@ def smith_lambda(p22, c):
     return integrate(f, 0, sqrt(log(1e9 / c)), 32)
 
 
-# The widths and shapes at the places [0, 1] of a table; masking.glsl has the inverses.
+# The widths and shapes at the places [0, 1] of a table; tabulated_lambda.glsl has the inverses.
 def width_of(x, power, low=1e-4):
     first = low ** power
     return (first + x * (1 - first)) ** (1 / power)

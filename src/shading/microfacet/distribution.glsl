@@ -32,11 +32,6 @@ struct Distribution {
     float shape;  // gamma of GTR, p of exponential power and shifted gamma, c of ABC
 };
 
-// GGX and Beckmann have anisotropic forms of their own, and visible normals.
-bool distribution_has_visible_normals(IN(Distribution) d) {
-    return d.kind == DISTRIBUTION_GGX || d.kind == DISTRIBUTION_BECKMANN;
-}
-
 float distribution_mean_alpha(IN(Distribution) d) {
     return d.alpha_x == d.alpha_y ? d.alpha_x : sqrt(d.alpha_x * d.alpha_y);
 }
