@@ -80,6 +80,24 @@ TEST(Distribution, AreaProjectsToOne) {
     }
 }
 
+// The weak white furnace of V-cavities: what wo sees of them projects to its cosine, for any D.
+TEST(Distribution, CavitiesPassTheWeakWhiteFurnace) {
+    for (const Kind& k : kinds) {
+        const float shape = k.shapes[k.shapes.size() / 2];
+        for (const float cosine : {0.95f, 0.5f, 0.1f}) {
+            const Distribution d = distributionOf(k.number, 0.3f, 0.15f, shape);
+            const float r = std::sqrt(1.0f - cosine * cosine);
+            const vec3 wo(r * 0.8f, r * 0.6f, cosine);
+            const double visible = overNormals(d, [&](vec3 wm) {
+                const float oh = dot(wo, wm);
+                return oh <= 0.0f ? 0.0 : double(oh) * double(distribution_d(d, wm))
+                                        * double(masking_v_cavity_g1(wo.z, wm.z, oh));
+            }, true);
+            EXPECT_NEAR(visible / double(cosine), 1.0, 2e-3) << k.name << " cos " << cosine;
+        }
+    }
+}
+
 // Special cases of one distribution are other ones.
 TEST(Distribution, FamiliesMeet) {
     Random random(3);

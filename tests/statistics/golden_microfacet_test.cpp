@@ -204,5 +204,71 @@ TEST(GoldenMicrofacet, RowsAreMatched) {
     for (const GoldenFunction& f : functions) EXPECT_EQ(compared[f.model], 225) << f.model;
 }
 
+// The model `microfacet` against golden_bbm.csv: names are DISTRIBUTION_iso|aniso_MASKING, F exact.
+BsdfParams paramsOfBbm(const GoldenRow& row) {
+    const std::string& model = row.at("model");
+    const auto has = [&](const char* word) { return model.find(word) != std::string::npos; };
+    BsdfParams m = bsdf_params_of(MODEL_MICROFACET);
+    m.alpha_x = jsonNumber(row.at("params"), "alpha_x");
+    m.alpha_y = jsonNumber(row.at("params"), "alpha_y");
+    m.ior = jsonNumber(row.at("params"), "ior");
+    const uint masking = has("vcavity") ? MASKING_CHOICE_V_CAVITY
+                       : has("heightcorr") ? MASKING_CHOICE_CORRELATED : MASKING_CHOICE_SEPARABLE;
+    const uint distribution = has("ggx") ? DISTRIBUTION_GGX : DISTRIBUTION_BECKMANN;
+    m.slot_a = vec4(float(distribution), float(masking), float(FRESNEL_CHOICE_DIELECTRIC), 2.0f);
+    m.slot_d.w = has("rational") ? 1.0f : 0.0f;
+    return m;
+}
+
+TEST(GoldenMicrofacet, ModelMatchesBbm) {
+    const std::vector<GoldenRow> rows = readGolden("golden_bbm.csv");
+    GP_SKIP_WITHOUT(rows, "golden_bbm.csv");
+    int compared = 0;
+    for (const GoldenRow& row : rows) {
+        if (row.at("model") == "orennayar_qualitative") continue;
+        const BsdfParams m = paramsOfBbm(row);
+        const vec3 l(number(row, "lx"), number(row, "ly"), number(row, "lz"));
+        const vec3 v(number(row, "vx"), number(row, "vy"), number(row, "vz"));
+        const double value = double(bsdf_eval(m, v, l).f_cos.x) / double(l.z);
+        const double golden = std::strtod(row.at("r").c_str(), nullptr);
+        const bool hard = std::min({m.alpha_x, m.alpha_y, l.z, v.z}) < 0.01f;
+        // Out in a Gaussian's tail an error of the slope counts tan^2 / alpha^2 fold.
+        const vec3 h = normalize(l + v);
+        const float x = h.x / m.alpha_x, y = h.y / m.alpha_y;
+        const bool gaussian = row.at("model").starts_with("beckmann");
+        const double tail = gaussian ? 2e-6 * double((x * x + y * y) / (h.z * h.z)) : 0.0;
+        EXPECT_NEAR(value, golden, (hard ? 1e-2 : 1e-3 + tail) * golden + 1e-5)
+            << row.at("model") << " row " << compared;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 1600);
+}
+
+// The peer's `walter` without its diffuse part is the model with Smith's separable masking.
+TEST(GoldenMicrofacet, ModelMatchesWalter) {
+    const std::vector<GoldenRow> rows = readGolden("golden_brdf.csv");
+    GP_SKIP_WITHOUT(rows, "golden_brdf.csv");
+    int compared = 0;
+    for (const GoldenRow& row : rows) {
+        if (row.at("model") != "walter") continue;
+        const std::string& json = row.at("params");
+        BsdfParams m = bsdf_params_of(MODEL_MICROFACET);
+        m.alpha_x = m.alpha_y = jsonNumber(json, "alphaG");
+        m.ior = jsonNumber(json, "ior");
+        const bool fresnel = json.find("\"useFresnel\":true") != std::string::npos;
+        m.slot_a.y = float(MASKING_CHOICE_SEPARABLE);
+        m.slot_a.z = float(fresnel ? FRESNEL_CHOICE_DIELECTRIC : FRESNEL_CHOICE_NONE);
+        const vec3 l(number(row, "lx"), number(row, "ly"), number(row, "lz"));
+        const vec3 v(number(row, "vx"), number(row, "vy"), number(row, "vz"));
+        const double value = double(jsonNumber(json, "Kd")) / M_PI + double(jsonNumber(json, "Ks"))
+                           * double(bsdf_eval(m, v, l).f_cos.x) / double(l.z);
+        const double golden = std::strtod(row.at("r").c_str(), nullptr);
+        const bool hard = std::min({m.alpha_x, l.z, v.z}) < 0.01f;
+        EXPECT_NEAR(value, golden, (hard ? 1e-2 : 1e-3) * golden + 1e-5) << json;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 225);
+}
+
 }  // namespace
 }  // namespace gp::test
