@@ -60,6 +60,10 @@ const LibraryCase libraryCases[] = {
     {"disney", "black", "base_color=0 specular=0 clearcoat=0.5"},
     {"disney", "version_2012", "version=2012 metallic=1 roughness=0.1", BSDF_CONSERVING},
     {"disney", "version_2012_rough", "version=2012 roughness=0.8 anisotropic=0.5"},
+    {"halfway_disk", "narrow", "exponent=40 radius=0.1"},
+    {"halfway_disk", "flat", "exponent=0 radius=0.5"},
+    {"kajiya_kay", "wide", "roughness=0.1 falloff=0.2 fibre=along_x"},
+    {"kajiya_kay", "thin", "roughness=0.001"},
 };
 
 }  // namespace
