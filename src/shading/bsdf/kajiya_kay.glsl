@@ -14,6 +14,12 @@ float kajiya_kay_sine(IN(BsdfParams) m, vec3 w) {
     return kajiya_kay_fibre(m) == KAJIYA_KAY_ALONG_X ? w.x : w.y;
 }
 
+// The square of its cosine; from the other components, since near the fibre 1 - sin^2 is rounding.
+float kajiya_kay_cosine2(IN(BsdfParams) m, vec3 w) {
+    float across = kajiya_kay_fibre(m) == KAJIYA_KAY_ALONG_X ? w.y : w.x;
+    return max(across * across + w.z * w.z, 1.0e-20f);
+}
+
 // cos(theta_o + theta_i)^(1 / roughness), 0 from 90 degrees on.
 // [Kajiya and Kay 1989, SIGGRAPH, "Rendering Fur with Three Dimensional Textures"]
 float kajiya_kay_lobe(float sin_o, float sin_i, float roughness) {
@@ -54,8 +60,7 @@ float kajiya_kay_pdf(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     float last = kajiya_kay_share_below(theta_o + HALF_PI, scale);
     float below = kajiya_kay_share_below(theta_o + asin(sin_i), scale);
     float logistic = below * (1.0f - below) / (scale * max(last - first, 1.0e-20f));
-    float cos2_i = max((1.0f - sin_i) * (1.0f + sin_i), 1.0e-12f);
-    return logistic * 0.5f * wi.z / cos2_i;
+    return logistic * 0.5f * wi.z / kajiya_kay_cosine2(m, wi);
 }
 
 BsdfValue kajiya_kay_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
