@@ -37,7 +37,7 @@ namespace {
 #undef GP_VALUE_BOOL
 #undef GP_VALUE_FLAG
 #undef GP_VALUE_CHOICE
-    return m;
+    return bsdf_prepared(m);
 }
 
 }  // namespace

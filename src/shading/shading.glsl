@@ -40,6 +40,7 @@
 #include "shading/microfacet/empirical.glsl"
 #include "shading/microfacet/masking.glsl"
 #include "shading/microfacet/distribution.glsl"
+#include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 #endif

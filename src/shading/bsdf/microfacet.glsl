@@ -4,7 +4,7 @@
 #ifndef GP_SHADING_BSDF_MICROFACET_GLSL
 #define GP_SHADING_BSDF_MICROFACET_GLSL
 #include "shading/fresnel.glsl"
-#include "shading/microfacet/distribution.glsl"
+#include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/bsdf/params.glsl"
 
 // The order of the names in parameters.def.
@@ -36,7 +36,18 @@ Distribution microfacet_normals(IN(BsdfParams) m) {
     d.alpha_x = m.alpha_x;
     d.alpha_y = m.alpha_y;
     d.shape = microfacet_shape(m);
+    d.fit.low = m.slot_e;
+    d.fit.high = m.slot_f;
     return d;
+}
+
+// With the numbers of Smith's masking, which the other functions read; again after each change of
+// distribution, widths or shape.
+BsdfParams microfacet_prepared(BsdfParams m) {
+    SmithFit f = smith_fit_of(microfacet_normals(m));
+    m.slot_e = f.low;
+    m.slot_f = f.high;
+    return m;
 }
 
 vec3 microfacet_reflectance(IN(BsdfParams) m, float cos_h) {
