@@ -12,6 +12,7 @@
 #include "shading/sampling/sobol.glsl"
 #include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
+#include "shading/sampling/cosine_power.glsl"
 #include "shading/sampling/morton.glsl"
 #include "shading/sampling/alias.glsl"
 #include "shading/sampling/mis.glsl"

@@ -1,0 +1,104 @@
+// Golden values of whole models: every row of ../shared/golden whose model the dialect table knows
+// (scene/bsdf_dialect.h) is evaluated and compared.
+#include <cctype>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/bsdf_dialect.h"
+#include "scene/bsdf_evaluate.h"
+#include "statistics/golden.h"
+
+namespace gp::test {
+namespace {
+
+BsdfWords wordsOf(const std::string& params) {
+    BsdfWords words;
+    const auto json = nlohmann::ordered_json::parse(params);
+    for (const auto& [name, value] : json.items()) {
+        std::string text;
+        const auto parts = value.is_array() ? value : nlohmann::ordered_json::array({value});
+        for (const auto& part : parts) {
+            text += (text.empty() ? "" : ",") + part.dump();
+        }
+        words.emplace_back(name, text);
+    }
+    return words;
+}
+
+// In double: a direction's third component from a file of 17 digits.
+glm::vec3 direction(const GoldenRow& row, const std::string& prefix) {
+    const glm::dvec3 d(std::stod(row.at(prefix + 'x')), std::stod(row.at(prefix + 'y')),
+                       std::stod(row.at(prefix + 'z')));
+    return glm::vec3(glm::normalize(d));
+}
+
+struct Comparison {
+    int rows = 0;
+    int wrong = 0;
+    double worst = 0.0;  // in tolerances
+    std::string example;
+};
+
+// The README's tolerance for float arithmetic; its looser one where a cosine or a width is small.
+double tolerance(const GoldenRow& row, double expected, float smallestCosine) {
+    const nlohmann::json params = nlohmann::json::parse(row.at("params"));
+    bool loose = smallestCosine < 0.01f;
+    for (const auto& [name, value] : params.items()) {
+        loose = loose || (name.starts_with("alpha") && value.is_number() && value < 0.01);
+    }
+    return (loose ? 1e-2 : 1e-3) * std::abs(expected) + 1e-5;
+}
+
+void compare(const GoldenRow& row, BsdfDialect dialect, Comparison& c) {
+    const BsdfSettings settings =
+        bsdfFromWords(dialect, row.at("model"), wordsOf(row.at("params")));
+    EXPECT_TRUE(settings.notices.empty()) << settings.notices[0];
+    const glm::vec3 wi = direction(row, "l"), wo = direction(row, "v");
+    const BsdfReading reading = evaluateBsdf(settings, wi, wo);
+    const char* const channels[] = {"r", "g", "b"};
+    double worst = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const double expected = std::stod(row.at(channels[i]));
+        const double allowed = tolerance(row, expected, std::min(wi.z, wo.z));
+        worst = std::max(worst, std::abs(double(reading.f[i]) - expected) / allowed);
+    }
+    ++c.rows;
+    c.worst = std::max(c.worst, worst);
+    if (worst <= 1.0) return;
+    if (c.wrong++ > 0) return;
+    c.example = fmt::format("{} wi {} {} {} wo {} {} {}: {} {} {}, expected {} {} {}",
+                            row.at("params"), wi.x, wi.y, wi.z, wo.x, wo.y, wo.z, reading.f.x,
+                            reading.f.y, reading.f.z, row.at("r"), row.at("g"), row.at("b"));
+}
+
+class GoldenModels : public testing::TestWithParam<DialectModel> {};
+
+TEST_P(GoldenModels, MatchEveryRow) {
+    const DialectModel& model = GetParam();
+    const char* file = model.dialect == BsdfDialect::wdas ? "golden_brdf.csv" : "golden_bbm.csv";
+    static std::map<std::string, std::vector<GoldenRow>> files;
+    if (!files.contains(file)) files[file] = readGolden(file);
+    GP_SKIP_WITHOUT(files[file], file);
+    Comparison c;
+    for (const GoldenRow& row : files[file]) {
+        if (row.at("model") == model.name) compare(row, model.dialect, c);
+    }
+    fmt::print("  {:24} {:5} rows, largest difference {:.3f} tolerances\n", model.name, c.rows,
+               c.worst);
+    EXPECT_GT(c.rows, 100);
+    EXPECT_EQ(c.wrong, 0) << c.example;
+}
+
+std::string modelName(const testing::TestParamInfo<DialectModel>& info) {
+    return (info.param.dialect == BsdfDialect::wdas ? "wdas_" : "bbm_") + info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Dialects, GoldenModels, testing::ValuesIn(dialectModels()), modelName);
+
+}  // namespace
+
+inline void PrintTo(const DialectModel& model, std::ostream* out) { *out << model.name; }
+
+}  // namespace gp::test
