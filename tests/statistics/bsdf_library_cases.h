@@ -119,6 +119,10 @@ const LibraryCase libraryCases[] = {
     {"halfway_disk", "flat", "exponent=0 radius=0.5"},
     {"kajiya_kay", "wide", "roughness=0.1 falloff=0.2 fibre=along_x"},
     {"kajiya_kay", "thin", "roughness=0.001"},
+    {"kajiya_kay", "altered", "roughness=0.1 even_power=true light_twice=true"},
+    {"halfway_disk", "altered", "exponent=2 even_power=true"},
+    {"formula", "nothing", "distribution=none masking=none divisor=one base_color=0.3"},
+    {"formula", "blinn", "distribution=gaussian fresnel=dielectric masking=v_cavity divisor=viewer"},
 };
 
 }  // namespace

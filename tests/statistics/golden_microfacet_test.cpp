@@ -115,35 +115,19 @@ double compareMasking(const Point& p) {
 // Ours is 0 outside of the disk; the peer raises the negative number to the power, which survives
 // for even exponents only and is then that of its opposite.
 double edwards(const Point& p) {
-    const double n = double(p.number("n")), radius = double(p.number("R"));
     BsdfParams m = bsdf_params_of(MODEL_HALFWAY_DISK);
-    m.slot_a.x = float(n);
-    m.slot_a.y = float(radius);
-    const double scale = double(p.o) / double(p.nh);
-    const double outside = scale * scale * (1.0 - double(p.nh) * double(p.nh)) - radius * radius;
-    if (outside <= 0.0) return double(bsdf_eval(m, p.v, p.l).f_cos.x) / double(p.i);
-    const double lump = double(halfway_disk_lump(float(radius * radius - outside), float(radius),
-                                                 float(n)));
-    return lump * scale * scale / (4.0 * double(p.i) * double(p.nh) * double(p.oh));
+    m.slot_a = vec4(p.number("n"), p.number("R"), 1.0f, 0.0f);
+    return double(bsdf_eval(m, p.v, p.l).f_cos.x) / double(p.i);
 }
 
 // The peer's switch `kajiya` has the light in the viewer's place as well. Ours is 0 where the
 // cosine is negative; the peer's power of it survives for even exponents only.
 double fibres(const Point& p) {
-    const bool alongX = p.flag("orient");
-    const float sinI = alongX ? p.l.x : p.l.y;
-    float sinO = alongX ? p.v.x : p.v.y;
-    if (p.flag("kajiya")) sinO = sinI;
-    const float across = std::sqrt((1.0f - sinO * sinO) * (1.0f - sinI * sinI));
-    float lobe = kajiya_kay_lobe(sinO, sinI, p.number("roughness"));
-    if (across < sinO * sinI) {
-        // -cos(a + b) = cos(a + (pi - b)): the sine of b stays, its cosine changes its sign.
-        const double s = double(sinO) * std::sqrt(1.0 - double(sinI) * double(sinI))
-                       + double(sinI) * std::sqrt(1.0 - double(sinO) * double(sinO));
-        lobe = kajiya_kay_lobe(float(s), 0.0f, p.number("roughness"));
-    }
-    const float falloff = p.flag("clampLights") ? p.number("falloff") : 0.0f;
-    return double(lobe * kajiya_kay_fade(p.i, falloff));
+    BsdfParams m = bsdf_params_of(MODEL_KAJIYA_KAY);
+    m.slot_a = vec4(p.number("roughness"), p.flag("clampLights") ? p.number("falloff") : 0.0f,
+                    p.flag("orient") ? 1.0f : 0.0f, 1.0f);
+    m.slot_b.x = p.flag("kajiya") ? 1.0f : 0.0f;
+    return double(bsdf_eval(m, p.v, p.l).f_cos.x) / double(p.i);
 }
 
 // Kd without 1 / pi and in red only, D F G without 1 / 4: the peer's picture of the choices.

@@ -60,7 +60,7 @@ void compare(const GoldenRow& row, BsdfDialect dialect, Comparison& c) {
     const char* const channels[] = {"r", "g", "b"};
     double worst = 0.0;
     for (int i = 0; i < 3; ++i) {
-        const double expected = std::stod(row.at(channels[i]));
+        const double expected = std::strtod(row.at(channels[i]).c_str(), nullptr);
         const double allowed = tolerance(row, expected, std::min(wi.z, wo.z));
         worst = std::max(worst, std::abs(double(reading.f[i]) - expected) / allowed);
     }

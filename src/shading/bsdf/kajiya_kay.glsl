@@ -22,13 +22,13 @@ float kajiya_kay_cosine2(IN(BsdfParams) m, vec3 w) {
 
 // cos(theta_o + theta_i)^(1 / roughness), 0 from 90 degrees on.
 // [Kajiya and Kay 1989, SIGGRAPH, "Rendering Fur with Three Dimensional Textures"]
-float kajiya_kay_lobe(float sin_o, float sin_i, float roughness) {
+float kajiya_kay_lobe(float sin_o, float sin_i, float roughness, bool even_power) {
     float cos_o = sqrt(max((1.0f - sin_o) * (1.0f + sin_o), 0.0f));
     float cos_i = sqrt(max((1.0f - sin_i) * (1.0f + sin_i), 0.0f));
     // sin(theta_o + theta_i), which has the digits that a cosine near 1 has lost.
     float s = sin_o * cos_i + cos_o * sin_i;
     float c = cos_o * cos_i - sin_o * sin_i;
-    return c > 0.0f ? exp(0.5f * log(max(1.0f - s * s, 1.0e-37f)) / roughness) : 0.0f;
+    return c > 0.0f || even_power ? exp(0.5f * log(max(1.0f - s * s, 1.0e-37f)) / roughness) : 0.0f;
 }
 
 // A smooth step in the angle over the horizon; its width is a share of 90 degrees.
@@ -51,8 +51,16 @@ float kajiya_kay_share_below(float x, float scale) {
     return 1.0f / (1.0f + exp(clamp(-x / scale, -80.0f, 80.0f)));
 }
 
+// Forms of other programs, which shine in other places: sampled by the cosine only.
+bool kajiya_kay_is_altered(IN(BsdfParams) m) {
+    return kajiya_kay_even(m) || kajiya_kay_light_twice(m);
+}
+
 // Density of sampling: logistic in theta_o + theta_i, cosine-like around the fibre.
 float kajiya_kay_pdf(IN(BsdfParams) m, vec3 wo, vec3 wi) {
+    if (kajiya_kay_is_altered(m)) {
+        return cosine_hemisphere_pdf(wi);
+    }
     float sin_i = clamp(kajiya_kay_sine(m, wi), -1.0f, 1.0f);
     float theta_o = asin(clamp(kajiya_kay_sine(m, wo), -1.0f, 1.0f));
     float scale = kajiya_kay_scale(kajiya_kay_roughness(m));
@@ -67,8 +75,9 @@ BsdfValue kajiya_kay_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     if (wo.z <= 0.0f || wi.z <= 0.0f) {
         return bsdf_no_value();
     }
-    float lobe = kajiya_kay_lobe(kajiya_kay_sine(m, wo), kajiya_kay_sine(m, wi),
-                                 kajiya_kay_roughness(m));
+    float sin_i = kajiya_kay_sine(m, wi);
+    float sin_o = kajiya_kay_light_twice(m) ? sin_i : kajiya_kay_sine(m, wo);
+    float lobe = kajiya_kay_lobe(sin_o, sin_i, kajiya_kay_roughness(m), kajiya_kay_even(m));
     BsdfValue v;
     v.pdf = kajiya_kay_pdf(m, wo, wi);
     v.f_cos = m.base_color * (lobe * kajiya_kay_fade(wi.z, kajiya_kay_falloff(m)) * wi.z);
@@ -81,6 +90,10 @@ BsdfValue kajiya_kay_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
 BsdfSample kajiya_kay_sample(IN(BsdfParams) m, vec3 wo, float, vec2 u) {
     if (wo.z <= 0.0f) {
         return bsdf_no_sample();
+    }
+    if (kajiya_kay_is_altered(m)) {
+        vec3 any = square_to_cosine_hemisphere(u);
+        return bsdf_sample_of(any, kajiya_kay_eval(m, wo, any), LOBE_GLOSSY);
     }
     float theta_o = asin(clamp(kajiya_kay_sine(m, wo), -1.0f, 1.0f));
     float scale = kajiya_kay_scale(kajiya_kay_roughness(m));
