@@ -30,7 +30,7 @@ std::string diffuseOfCoupled(std::string_view text) {
 }
 
 std::vector<DialectModel> makeModels() {
-    return {
+    std::vector<DialectModel> models = {
         {wdas, "lambert", "lambert", "", {{"reflectance", "base_color"}}},
         {wdas, "phong", "phong", "exponent=100",
          {{"n", "exponent"}, {"divide_by_NdotL", "divide_by_cosine"}}},
@@ -53,6 +53,8 @@ std::vector<DialectModel> makeModels() {
         {bbm, "orennayar_qualitative", "oren_nayar", "form=qualitative",
          {{"sigma_rad", "sigma"}, {"albedo", "base_color"}}},
     };
+    for (DialectModel& model : microfacetDialectModels()) models.push_back(std::move(model));
+    return models;
 }
 
 const char* dialectName(BsdfDialect dialect) {
@@ -114,6 +116,11 @@ BsdfSettings bsdfFromWords(BsdfDialect dialect, const std::string& model, const 
     const DialectModel& theirs = findModel(dialect, model);
     BsdfSettings settings(findBsdfModel(theirs.ours));
     setAll(settings, theirs.settings);
+    if (theirs.rewrite != nullptr) {
+        for (const auto& [name, text] : words) findParameter(theirs, name);
+        for (const auto& [name, text] : theirs.rewrite(words)) settings.set(name, text);
+        return settings;
+    }
     std::vector<const DialectParameter*> copies;
     for (const auto& [name, text] : words) {
         const DialectParameter& parameter = findParameter(theirs, name);

@@ -24,18 +24,24 @@ struct DialectParameter {
     const char* equalTo = nullptr;
 };
 
+using BsdfWords = std::vector<std::pair<std::string, std::string>>;
+
 struct DialectModel {
     BsdfDialect dialect;
     std::string name;      // theirs
     const char* ours;
-    const char* settings;  // of ours, as "a=1 b=2": their form of it, their defaults
+    std::string settings;  // of ours, as "a=1 b=2": their form of it, their defaults
     std::vector<DialectParameter> parameters;
+    // Not null: all of their words at once, known by name already, become ours. For switches that
+    // act on each other; `parameters` then says what each acts on.
+    BsdfWords (*rewrite)(const BsdfWords& words) = nullptr;
 };
 
 // All of both dialects: a model that another program has is a row here.
 const std::vector<DialectModel>& dialectModels();
 
-using BsdfWords = std::vector<std::pair<std::string, std::string>>;
+// The part of them that microfacets and Disney's models have.
+std::vector<DialectModel> microfacetDialectModels();
 
 // A model by name with parameters by name, in a dialect's words: the one place where a name becomes
 // a model. Presets and measured files will be found here as well. Throws BsdfError.

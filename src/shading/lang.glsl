@@ -5,4 +5,5 @@
 #define INOUT(T) inout T
 #define LET_REF(T) T
 #define OUT_OF_LINE
+#define CONST_TABLE const
 #endif

@@ -17,6 +17,8 @@
 // A function that the hot code only meets by way of exception: kept out of it. (Not gnu::cold: that
 // would compile it for size.)
 #define OUT_OF_LINE [[gnu::noinline]]
+// An array of numbers that a function looks things up in.
+#define CONST_TABLE static constexpr
 
 // Included as  namespace gp::shading { namespace { using namespace glm;  …files…  } }
 // by shading/shading.h; unused functions are the normal case.

@@ -39,6 +39,10 @@
 #include "shading/microfacet/ggx.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"
+#include "shading/microfacet/empirical.glsl"
+#include "shading/microfacet/masking.glsl"
+#include "shading/microfacet/distribution.glsl"
+#include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 #endif
