@@ -32,7 +32,10 @@
 #include "shading/light/tree.glsl"
 
 #include "shading/fresnel.glsl"
+#include "shading/complex.glsl"
+#include "shading/thin_film.glsl"
 #include "shading/iridescence.glsl"
+#include "shading/iridescence_polarised.glsl"
 #include "shading/microfacet/ggx.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"
