@@ -1,5 +1,5 @@
-// Complex numbers as vec2(real, imaginary), for waves: exp(-i omega t) in time, so that an absorbing
-// medium has the index n + i k and a wave that goes a length further gains exp(+i phase).
+// Complex numbers as vec2(real, imaginary), for waves: exp(-i omega t) in time, so that absorbing
+// media have the index n + i k and a wave that goes a length further gains exp(+i phase).
 #ifndef GP_SHADING_COMPLEX_GLSL
 #define GP_SHADING_COMPLEX_GLSL
 

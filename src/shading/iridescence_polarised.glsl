@@ -1,5 +1,5 @@
-// Thin-film interference in colour, both polarisations, over dielectrics and metals: the reflectance
-// of a film is a series in the path difference, and each term is integrated against the eye's
+// Thin-film interference in colour, polarised, over dielectrics and metals: the reflectance of
+// a film is a series in the path difference, and each term is integrated against the eye's
 // sensitivity in closed form, so that no wavelength is sampled.
 //
 // Based on: Belcour and Barla 2017, "A Practical Extension to Microfacet Theory for the Modeling of
