@@ -1,42 +1,12 @@
 #include "commands.h"
 
-#include <algorithm>
-#include <numeric>
 #include <sstream>
 #include <vector>
 
+#include "nearest_word.h"
+
 namespace gp::tool {
 namespace {
-
-// [Levenshtein 1966] Letters to insert, delete or replace on the way from a to b.
-std::size_t editDistance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-        }
-    }
-    return row[b.size()];
-}
-
-// At most a third of the letters may be wrong, else the guess would be none.
-std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-    std::string best;
-    std::size_t bestDistance = word.size() / 3 + 1;
-    for (const std::string& candidate : known) {
-        const std::size_t distance = editDistance(word, candidate);
-        if (distance < bestDistance) {
-            bestDistance = distance;
-            best = candidate;
-        }
-    }
-    return best;
-}
 
 // The column of descriptions begins at 30, and people's terminals are 100 wide or so.
 constexpr std::size_t kHelpColumns = 68;
@@ -71,7 +41,7 @@ std::string nearestOption(const CLI::App& app, const std::string& word) {
             known.push_back("--" + name);
         }
     }
-    return nearest(word, known);
+    return nearestWord(word, known);
 }
 
 std::string nearestCommand(const CLI::App& app, const std::string& word) {
@@ -79,7 +49,7 @@ std::string nearestCommand(const CLI::App& app, const std::string& word) {
     for (const CLI::App* command : app.get_subcommands({})) {
         known.push_back(command->get_name());
     }
-    return nearest(word, known);
+    return nearestWord(word, known);
 }
 
 }  // namespace gp::tool

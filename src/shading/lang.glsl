@@ -6,4 +6,5 @@
 #define LET_REF(T) T
 #define CONST_TABLE(type, name, size) const type name[size] = type[size](
 #define CONST_TABLE_END );
+#define OUT_OF_LINE
 #endif

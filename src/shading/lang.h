@@ -18,6 +18,8 @@
 //   CONST_TABLE(float, primes, 3) 2.0f, 3.0f, 5.0f CONST_TABLE_END
 #define CONST_TABLE(type, name, size) static constexpr type name[size] = {
 #define CONST_TABLE_END };
+// A function that the hot code only meets by way of exception: kept out of it.
+#define OUT_OF_LINE [[gnu::noinline, gnu::cold]]
 
 // Included as  namespace gp::shading { namespace { using namespace glm;  …files…  } }
 // by shading/shading.h; unused functions are the normal case.

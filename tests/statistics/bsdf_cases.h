@@ -1,15 +1,19 @@
 // Every model of models.def with several sets of parameters: what the tests of reflectance walk
-// over. A new row is tested with the general sets at once; cases of its own go into ownCases.
+// over. The renderer's own models are walked through their widths; a model of the library through
+// the rows of bsdf_library_cases.h, and its defaults without any.
 #pragma once
 
 #include <cmath>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "shading/shading.h"
+#include "scene/bsdf_settings.h"
+#include "statistics/bsdf_library_cases.h"
 #include "statistics/random.h"
 
 namespace gp::test {
@@ -21,19 +25,24 @@ struct ModelRow {
     uint number;
     const char* name;
     uint flags;
+    bool library;
 };
 
 const ModelRow modelRows[] = {
-#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, reference) \
-    {number, #name, flags},
+#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, cite, text) \
+    {number, #name, flags, false},
+#define BSDF_LIBRARY_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, cite, text) \
+    {number, #name, flags, true},
 #include "shading/bsdf/models.def"
 #undef BSDF_MODEL
+#undef BSDF_LIBRARY_MODEL
 };
 
 struct BsdfCase {
     std::string name;
     BsdfParams params;
     uint flags = 0;
+    bool white = true;   // energy is tested with a base_color of 1
     bool solid = false;  // wo below the surface is inside of another medium
     bool transmits() const {
         return (flags & BSDF_TRANSMISSIVE) != 0u
@@ -61,6 +70,27 @@ public:
         c.params.sheen_color = vec3(row.number == MODEL_SHEEN ? 0.9f : 0.0f);
         c.params.sheen_alpha = alphaX;
         c.solid = row.number == MODEL_GGX_DIELECTRIC;
+        cases_.push_back(c);
+        return cases_.back();
+    }
+    // `words` as in bsdf_library_cases.h.
+    BsdfCase& add(const ModelRow& row, const std::string& name, const std::string& words) {
+        BsdfSettings settings(findBsdfModel(row.name));
+        // Three channels that differ tell when two are mixed up.
+        for (const BsdfParameterInfo& p : settings.model->parameters) {
+            if (p.name == "base_color") settings.set("base_color", "0.8,0.5,0.3");
+        }
+        std::istringstream stream(words);
+        for (std::string word; stream >> word;) {
+            const std::size_t sign = word.find('=');
+            settings.set(word.substr(0, sign), word.substr(sign + 1));
+        }
+        BsdfCase c;
+        c.name = fmt::format("{}_{}", row.name, name);
+        c.flags = row.flags;
+        // Where the model does not conserve energy as such, the case does with its own colors.
+        c.white = (row.flags & BSDF_CONSERVING) != 0u;
+        c.params = bsdfParamsFrom(settings);
         cases_.push_back(c);
         return cases_.back();
     }
@@ -129,9 +159,21 @@ inline void addGltfTransmissionCases(CaseList& list, const ModelRow& row) {
     same.params.ior = 1.0f;
 }
 
+inline void addLibraryCases(CaseList& list, const ModelRow& row) {
+    list.add(row, "defaults", "");
+    for (const LibraryCase& c : libraryCases) {
+        if (std::string(c.model) != row.name || (c.onlyLong && !longTests())) continue;
+        list.add(row, c.name, c.settings).flags |= c.flags;
+    }
+}
+
 inline std::vector<BsdfCase> bsdfCases() {
     CaseList list;
     for (const ModelRow& row : modelRows) {
+        if (row.library) {
+            addLibraryCases(list, row);
+            continue;
+        }
         list.add(row, "wide", 1.0f, 1.0f);
         if (row.number == MODEL_LAMBERT) continue;
         list.add(row, "medium", 0.3f, 0.3f);

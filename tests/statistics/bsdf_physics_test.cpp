@@ -113,7 +113,7 @@ TEST_P(BsdfPhysics, ReturnsNoMoreLightThanItGets) {
     BsdfCase c = GetParam();
     if ((c.flags & BSDF_CONSERVING) == 0u) GTEST_SKIP() << "not claimed for this case";
     // White everything: what is lost then is lost by the model.
-    c.params.base_color = vec3(1.0f);
+    if (c.white) c.params.base_color = vec3(1.0f);
     std::vector<vec3> views = viewsOf(c);
     for (const float z : {0.3f, 0.05f, 0.02f}) {
         views.push_back(vec3(std::sqrt(1.0f - z * z), 0.0f, z));

@@ -1,5 +1,5 @@
-// What every reflectance model takes and returns. A model is three functions in a file of its own
-// and a row in models.def; bsdf.glsl chooses among them.
+// What every reflectance model takes and returns. A model is four functions in a file of its own,
+// a row in models.def and a row for each parameter in parameters.def; bsdf.glsl chooses among them.
 //
 // Frame: local, normal +Z, tangent +X. wo to the viewer, wi to the light, both leaving the surface,
 // unit length. The outside is z > 0; wo.z < 0 is a view from inside of a solid transmissive body
@@ -11,6 +11,10 @@
 #ifndef GP_SHADING_BSDF_PARAMS_GLSL
 #define GP_SHADING_BSDF_PARAMS_GLSL
 #include "shading/constants.glsl"
+
+#define BSDF_MODEL_NUMBERS
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL_NUMBERS
 
 // Below this width float32 directions are too coarse for the lobe; callers clamp alpha to it.
 #define BSDF_MIN_ALPHA 1.0e-4f
@@ -48,7 +52,38 @@ struct BsdfParams {
     float iridescence;
     float iridescence_ior;
     float iridescence_thickness_nm;
+    // What only models of the library have: parameters.def says who keeps what where. Undefined,
+    // and never written, for the renderer's own models.
+    vec4 slot_a;
+    vec4 slot_b;
+    vec4 slot_c;
+    vec4 slot_d;
+    vec4 slot_e;
+    vec4 slot_f;
 };
+
+// How the types of parameters.def are read and written.
+#define BSDF_TYPE_FLOAT float
+#define BSDF_TYPE_COLOR vec3
+#define BSDF_TYPE_BOOL bool
+#define BSDF_TYPE_CHOICE uint
+#define BSDF_GET_FLOAT(where) where
+#define BSDF_GET_COLOR(where) vec3(where)
+#define BSDF_GET_BOOL(where) (where) > 0.5f
+#define BSDF_GET_CHOICE(where) uint((where) + 0.5f)
+#define BSDF_SET_FLOAT(where, value) where = value;
+#define BSDF_SET_COLOR(where, value) \
+    where.x = (value).x; where.y = (value).y; where.z = (value).z;
+#define BSDF_SET_BOOL(where, value) where = value;
+#define BSDF_SET_FLAG(where, value) where = uint(value);
+#define BSDF_SET_CHOICE(where, value) where = value;
+
+// phong_exponent(m) and all the others.
+#define BSDF_PARAMETER(number, accessor, name, type, slot, initial, minimum, maximum, outside, \
+                       unit, text) \
+    BSDF_TYPE_##type accessor(IN(BsdfParams) m) { return BSDF_GET_##type(m.slot); }
+#include "shading/bsdf/parameters.def"
+#undef BSDF_PARAMETER
 
 // f times |cos_i| and the density with which sample() chooses wi: one evaluation gives both.
 struct BsdfValue {
@@ -64,7 +99,8 @@ struct BsdfSample {
     uint lobe;
 };
 
-BsdfParams bsdf_params_of(uint model) {
+// The named fields, for the renderer: every feature is off. The slots are left undefined.
+BsdfParams bsdf_fields_of(uint model) {
     BsdfParams m;
     m.model = model;
     m.base_color = vec3(1.0f);
@@ -84,6 +120,26 @@ BsdfParams bsdf_params_of(uint model) {
     m.iridescence = 0.0f;
     m.iridescence_ior = 1.3f;
     m.iridescence_thickness_nm = 400.0f;
+    return m;
+}
+
+// A model of the library with its defaults.
+BsdfParams bsdf_params_of(uint model) {
+    BsdfParams m = bsdf_fields_of(model);
+    m.slot_a = vec4(0.0f);
+    m.slot_b = vec4(0.0f);
+    m.slot_c = vec4(0.0f);
+    m.slot_d = vec4(0.0f);
+    m.slot_e = vec4(0.0f);
+    m.slot_f = vec4(0.0f);
+#define BSDF_FIELD(number, name, type, field, initial, minimum, maximum, outside, unit, text) \
+    if (model == number) { BSDF_SET_##type(m.field, initial) }
+#define BSDF_PARAMETER(number, accessor, name, type, slot, initial, minimum, maximum, outside, \
+                       unit, text) \
+    if (model == number) { BSDF_SET_##type(m.slot, initial) }
+#include "shading/bsdf/parameters.def"
+#undef BSDF_FIELD
+#undef BSDF_PARAMETER
     return m;
 }
 

@@ -81,6 +81,12 @@ float uniform_cone_pdf(float one_minus_cos_max) {
     return INV_TWO_PI / one_minus_cos_max;
 }
 
+// The unit vector of height z at the azimuth phi.
+vec3 direction_from_height(float z, float phi) {
+    float r = sqrt(max((1.0f - z) * (1.0f + z), 0.0f));
+    return vec3(r * cos(phi), r * sin(phi), z);
+}
+
 vec3 square_to_uniform_hemisphere(vec2 u) {
     return square_to_uniform_cone(u, 1.0f);
 }
