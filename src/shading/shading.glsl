@@ -39,6 +39,7 @@
 #include "shading/microfacet/ggx.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"
+#include "shading/microfacet/multiple_scattering.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 #endif

@@ -21,6 +21,12 @@ const LibraryCase libraryCases[] = {
      BSDF_RECIPROCAL | BSDF_CONSERVING},
     {"half_lambert", "flat", "wrap=1"},
     {"half_lambert", "steep", "wrap=0.1 exponent=8"},
+    {"kulla_conty", "coarse", "mirror=ggx_separable alpha=1"},
+    {"kulla_conty", "smooth", "mirror=beckmann_correlated alpha=0.02"},
+    {"kulla_conty", "beckmann", "mirror=beckmann_separable alpha=0.7"},
+    {"kulla_conty", "single", "multiple=0 alpha=0.4", 0u, true},
+    {"iridescent_mirror", "metal", "base_ior=0.9 base_kappa=2.5 film_ior=1.8 alpha_x=0.4"},
+    {"iridescent_mirror", "thick", "thickness_nm=1500 terms=10 alpha_x=0.01 alpha_y=0.01"},
 };
 
 }  // namespace

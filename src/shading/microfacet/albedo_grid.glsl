@@ -4,8 +4,8 @@
 #define GP_SHADING_MICROFACET_ALBEDO_GRID_GLSL
 
 #define ALBEDO_TABLE_COSINES 20
-#define ALBEDO_TABLE_WIDTHS 16
-#define ALBEDO_AVERAGE_WIDTHS 31
+#define ALBEDO_TABLE_WIDTHS 20
+#define ALBEDO_AVERAGE_WIDTHS 39
 
 // The rows: even in sqrt(alpha), closer where the surface is smooth. The first row stands for
 // alpha = 0, where every cosine but 0 would have the same column: it is baked at 1e-4.
