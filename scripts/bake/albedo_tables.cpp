@@ -82,7 +82,8 @@ int main() {
                 "#ifndef GP_SHADING_MICROFACET_ALBEDO_TABLES_GLSL\n"
                 "#define GP_SHADING_MICROFACET_ALBEDO_TABLES_GLSL\n"
                 "#include \"shading/microfacet/albedo_grid.glsl\"\n\n"
-                "// Rows of 1 - E for rising alpha, columns for rising cosines; averages over alpha.\n");
+                "// Rows of 1 - E for rising alpha, columns for rising cosines; averages over "
+                "alpha.\n");
     const char* names[] = {"ggx_separable", "ggx_correlated", "beckmann_separable",
                            "beckmann_correlated"};
     for (int i = 0; i < 4; ++i) {

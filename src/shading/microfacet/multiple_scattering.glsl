@@ -2,10 +2,10 @@
 // more lobe that depends on the two cosines alone; and the same shape for a diffuse base that gets
 // what the mirror above lets through.
 //
-// Based on: Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks", after Kelemen
-// and Szirmay-Kalos 2001. Different here: the colour factor F_ms has F_avg squared, where the slides
-// have it once. Light of this lobe has met two microfacets or more, so that its share can never
-// exceed F^2; with F_avg once it does (tests/statistics/multiple_scattering_test.cpp).
+// Based on: Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks", after
+// Kelemen and Szirmay-Kalos 2001. Different here: the colour factor F_ms has F_avg squared, where
+// the slides have it once. Light of this lobe has met two microfacets or more, so that its share
+// can never exceed F^2; with F_avg once it does (tests/statistics/multiple_scattering_test.cpp).
 //
 // `surface` is ROUGH_MIRROR_…, a distribution with its masking. Off means not called: nothing else
 // in the library knows of these tables.
@@ -44,7 +44,8 @@ float single_scattering_average_entry(uint surface, int i) {
 // in [0, 1], wider surfaces have the loss of alpha = 1.
 float single_scattering_loss(uint surface, float cos_o, float alpha) {
     float a = clamp(alpha, 1.0e-4f, 1.0f);
-    float column = albedo_column(clamp(cos_o, 0.0f, 1.0f), a, surface == ROUGH_MIRROR_GGX_CORRELATED);
+    bool root = surface == ROUGH_MIRROR_GGX_CORRELATED;
+    float column = albedo_column(clamp(cos_o, 0.0f, 1.0f), a, root);
     CubicStencil x = cubic_stencil(column, ALBEDO_TABLE_COSINES);
     CubicStencil y = cubic_stencil(albedo_row(a), ALBEDO_TABLE_WIDTHS);
     float sum = 0.0f;
