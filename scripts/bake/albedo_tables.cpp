@@ -18,13 +18,13 @@ using namespace gp::shading;
 using gp::test::RoughMirror;
 
 void printTable(const char* name, const char* size, const std::vector<float>& values) {
-    std::printf("\nfloat %s(int i) {\n    CONST_TABLE(float, entries, %s)\n", name, size);
+    std::printf("\nfloat %s(int i) {\n    CONST_TABLE float entries[%s] = {\n", name, size);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool last = i + 1 == values.size();
         std::printf("%s%.6ff%s", i % 8 == 0 ? "        " : " ", double(values[i]),
                     last ? "\n" : i % 8 == 7 ? ",\n" : ",");
     }
-    std::printf("    CONST_TABLE_END\n    return entries[i];\n}\n");
+    std::printf("    };\n    return entries[i];\n}\n");
 }
 
 bool hasRoot(const RoughMirror& m) { return m.correlated && !m.beckmann; }

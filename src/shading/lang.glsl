@@ -4,7 +4,6 @@
 #define IN(T) in T
 #define INOUT(T) inout T
 #define LET_REF(T) T
-#define CONST_TABLE(type, name, size) const type name[size] = type[size](
-#define CONST_TABLE_END );
 #define OUT_OF_LINE
+#define CONST_TABLE const
 #endif

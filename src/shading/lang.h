@@ -14,12 +14,10 @@
 // A local name for what a function returns, without a copy where the language can.
 #define LET_REF(T) const T&
 
-// A table of numbers, inside of the function that alone reads it:
-//   CONST_TABLE(float, primes, 3) 2.0f, 3.0f, 5.0f CONST_TABLE_END
-#define CONST_TABLE(type, name, size) static constexpr type name[size] = {
-#define CONST_TABLE_END };
 // A function that the hot code only meets by way of exception: kept out of it.
 #define OUT_OF_LINE [[gnu::noinline, gnu::cold]]
+// An array of numbers that a function looks things up in.
+#define CONST_TABLE static constexpr
 
 // Included as  namespace gp::shading { namespace { using namespace glm;  …files…  } }
 // by shading/shading.h; unused functions are the normal case.

@@ -31,6 +31,7 @@
 #include "shading/light/environment.glsl"
 #include "shading/light/tree.glsl"
 
+#include "shading/special.glsl"
 #include "shading/fresnel.glsl"
 #include "shading/complex.glsl"
 #include "shading/thin_film.glsl"
@@ -40,6 +41,9 @@
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"
 #include "shading/microfacet/multiple_scattering.glsl"
+#include "shading/microfacet/empirical.glsl"
+#include "shading/microfacet/masking.glsl"
+#include "shading/microfacet/distribution.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 #endif

@@ -6,7 +6,7 @@
 // Rows of 1 - E for rising alpha, columns for rising cosines; averages over alpha.
 
 float ggx_separable_loss_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS] = {
         0.063866f, 0.074185f, 0.085680f, 0.097315f, 0.107684f, 0.115206f, 0.118442f, 0.116429f,
         0.108930f, 0.096548f, 0.080660f, 0.063167f, 0.046085f, 0.031092f, 0.019194f, 0.010643f,
         0.005099f, 0.001916f, 0.000407f, 0.000000f, 0.063867f, 0.074127f, 0.085556f, 0.097137f,
@@ -57,23 +57,23 @@ float ggx_separable_loss_entry(int i) {
         0.600702f, 0.613105f, 0.625146f, 0.636831f, 0.386300f, 0.407456f, 0.427901f, 0.447665f,
         0.466780f, 0.485279f, 0.503191f, 0.520542f, 0.537360f, 0.553669f, 0.569490f, 0.584846f,
         0.599757f, 0.614242f, 0.628319f, 0.642005f, 0.655316f, 0.668267f, 0.680873f, 0.693148f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float ggx_separable_average_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_AVERAGE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_AVERAGE_WIDTHS] = {
         0.072484f, 0.018360f, 0.018019f, 0.034203f, 0.055890f, 0.079235f, 0.105540f, 0.132939f,
         0.162092f, 0.191797f, 0.222369f, 0.253051f, 0.283888f, 0.314464f, 0.344608f, 0.374159f,
         0.402802f, 0.430538f, 0.456988f, 0.482232f, 0.505897f, 0.528081f, 0.548467f, 0.567147f,
         0.583885f, 0.598753f, 0.611609f, 0.622506f, 0.631395f, 0.638323f, 0.643318f, 0.646430f,
         0.647749f, 0.647337f, 0.645324f, 0.641786f, 0.636877f, 0.630705f, 0.623366f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float ggx_correlated_loss_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS] = {
         -0.000002f, 0.001167f, 0.004693f, 0.010606f, 0.018935f, 0.029662f, 0.042641f, 0.057460f,
         0.073270f, 0.088576f, 0.101118f, 0.108018f, 0.106401f, 0.094591f, 0.073620f, 0.048107f,
         0.024896f, 0.009226f, 0.001800f, 0.000000f, -0.000002f, 0.001161f, 0.004668f, 0.010550f,
@@ -124,23 +124,23 @@ float ggx_correlated_loss_entry(int i) {
         0.544662f, 0.576815f, 0.607559f, 0.636831f, 0.000077f, 0.011623f, 0.036418f, 0.068803f,
         0.106058f, 0.146423f, 0.188666f, 0.231899f, 0.275455f, 0.318830f, 0.361646f, 0.403618f,
         0.444534f, 0.484239f, 0.522625f, 0.559619f, 0.595179f, 0.629286f, 0.661937f, 0.693148f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float ggx_correlated_average_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_AVERAGE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_AVERAGE_WIDTHS] = {
         0.068481f, 0.014805f, 0.014616f, 0.030739f, 0.052459f, 0.076103f, 0.102516f, 0.129714f,
         0.158564f, 0.187916f, 0.218059f, 0.248237f, 0.278491f, 0.308419f, 0.337837f, 0.366595f,
         0.394370f, 0.421169f, 0.446611f, 0.470778f, 0.493301f, 0.514283f, 0.533414f, 0.550788f,
         0.566185f, 0.579678f, 0.591147f, 0.600653f, 0.608168f, 0.613750f, 0.617450f, 0.619333f,
         0.619511f, 0.618059f, 0.615124f, 0.610794f, 0.605233f, 0.598556f, 0.590863f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float beckmann_separable_loss_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS] = {
         0.033976f, 0.043755f, 0.055042f, 0.066500f, 0.076648f, 0.083894f, 0.086638f, 0.083505f,
         0.073770f, 0.058006f, 0.038710f, 0.020243f, 0.007183f, 0.001304f, 0.000066f, 0.000000f,
         0.000000f, -0.000000f, -0.000000f, 0.000000f, 0.033976f, 0.043699f, 0.054919f, 0.066324f,
@@ -191,23 +191,23 @@ float beckmann_separable_loss_entry(int i) {
         0.331241f, 0.368723f, 0.409694f, 0.452764f, 0.072276f, 0.080872f, 0.090525f, 0.101233f,
         0.113024f, 0.125945f, 0.140072f, 0.155511f, 0.172403f, 0.190937f, 0.211353f, 0.233960f,
         0.259155f, 0.287428f, 0.319354f, 0.355504f, 0.396258f, 0.441445f, 0.489700f, 0.538412f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float beckmann_separable_average_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_AVERAGE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_AVERAGE_WIDTHS] = {
         0.000047f, 0.000327f, 0.001332f, 0.002996f, 0.005327f, 0.008319f, 0.011980f, 0.016300f,
         0.021288f, 0.026914f, 0.033221f, 0.040159f, 0.047748f, 0.055963f, 0.064771f, 0.074065f,
         0.083961f, 0.094292f, 0.105148f, 0.116413f, 0.128142f, 0.140259f, 0.152694f, 0.165332f,
         0.178147f, 0.191113f, 0.204131f, 0.217218f, 0.230227f, 0.243177f, 0.255919f, 0.268474f,
         0.280694f, 0.292589f, 0.304010f, 0.314946f, 0.325260f, 0.334893f, 0.343811f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float beckmann_correlated_loss_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_TABLE_COSINES * ALBEDO_TABLE_WIDTHS] = {
         -0.000004f, 0.021395f, 0.041117f, 0.058406f, 0.072338f, 0.081847f, 0.085805f, 0.083232f,
         0.073704f, 0.057996f, 0.038710f, 0.020243f, 0.007183f, 0.001304f, 0.000066f, 0.000000f,
         0.000000f, -0.000000f, -0.000000f, 0.000000f, -0.000004f, 0.021285f, 0.040920f, 0.058155f,
@@ -258,18 +258,18 @@ float beckmann_correlated_loss_entry(int i) {
         0.330838f, 0.368660f, 0.409694f, 0.452764f, -0.000001f, 0.017175f, 0.034581f, 0.052308f,
         0.070460f, 0.089156f, 0.108534f, 0.128755f, 0.150008f, 0.172521f, 0.196563f, 0.222465f,
         0.250623f, 0.281511f, 0.315657f, 0.353559f, 0.395512f, 0.441305f, 0.489698f, 0.538412f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
 float beckmann_correlated_average_entry(int i) {
-    CONST_TABLE(float, entries, ALBEDO_AVERAGE_WIDTHS)
+    CONST_TABLE float entries[ALBEDO_AVERAGE_WIDTHS] = {
         0.000047f, 0.000324f, 0.001320f, 0.002969f, 0.005279f, 0.008244f, 0.011872f, 0.016153f,
         0.021096f, 0.026670f, 0.032920f, 0.039796f, 0.047315f, 0.055455f, 0.064181f, 0.073386f,
         0.083189f, 0.093418f, 0.104166f, 0.115317f, 0.126922f, 0.138909f, 0.151204f, 0.163693f,
         0.176347f, 0.189140f, 0.201970f, 0.214853f, 0.227635f, 0.240337f, 0.252798f, 0.265038f,
         0.276895f, 0.288372f, 0.299309f, 0.309682f, 0.319349f, 0.328245f, 0.336330f
-    CONST_TABLE_END
+    };
     return entries[i];
 }
 
