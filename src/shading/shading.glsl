@@ -41,6 +41,7 @@
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"
 #include "shading/microfacet/multiple_scattering.glsl"
+#include "shading/microfacet/nano_roughness.glsl"
 #include "shading/microfacet/empirical.glsl"
 #include "shading/microfacet/masking.glsl"
 #include "shading/microfacet/distribution.glsl"
