@@ -37,6 +37,8 @@
 #include "shading/thin_film.glsl"
 #include "shading/iridescence.glsl"
 #include "shading/iridescence_polarised.glsl"
+#include "shading/spectrum.glsl"
+#include "shading/grating.glsl"
 #include "shading/microfacet/ggx.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/microfacet/beckmann.glsl"

@@ -27,6 +27,9 @@ const LibraryCase libraryCases[] = {
     {"kulla_conty", "single", "multiple=0 alpha=0.4", 0u, true},
     {"iridescent_mirror", "metal", "base_ior=0.9 base_kappa=2.5 film_ior=1.8 alpha_x=0.4"},
     {"iridescent_mirror", "thick", "thickness_nm=1500 terms=10 alpha_x=0.01 alpha_y=0.01"},
+    {"grating", "deep", "profile=sinusoidal period_nm=900 depth_nm=400 spread=0.1"},
+    {"grating", "mirror", "depth_nm=0 spread=0.05", 0u, true},
+    {"grating", "fine", "period_nm=500 spread=0.01", 0u, true},
 };
 
 }  // namespace
