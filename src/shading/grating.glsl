@@ -76,7 +76,8 @@ float grating_efficiency(IN(Grating) g, int order, float phase) {
     return c * c * s * s;
 }
 
-// The phase between top and bottom, from both ways. [Harvey and Vernold 1998, Applied Optics 37(34)]
+// The phase between top and bottom, from both ways.
+// [Harvey and Vernold 1998, Applied Optics 37(34)]
 float grating_phase(IN(Grating) g, float cos_o, float cos_i, float nm) {
     return TWO_PI * g.depth_nm * (cos_o + cos_i) / nm;
 }
@@ -111,11 +112,12 @@ float grating_total(IN(Grating) g, vec3 w, float nm) {
 }
 
 // The efficiency of an order from wo to wi, brought down where all orders of either direction
-// together would return more than comes; the same for both ways. Both ways stays what it is for
-// each pair, which a normalisation by one direction alone would not be; ours.
-float grating_order_share(IN(Grating) g, vec3 wo, vec3 wi, int order, float nm) {
+// together would return more than comes; total_…: grating_total of both. The same for both ways,
+// which a division by the total of one direction alone would not be; ours.
+float grating_order_share(IN(Grating) g, vec3 wo, vec3 wi, int order, float nm, float total_o,
+                          float total_i) {
     float share = grating_efficiency(g, order, grating_phase(g, wo.z, wi.z, nm));
-    return share / max(1.0f, max(grating_total(g, wo, nm), grating_total(g, wi, nm)));
+    return share / max(1.0f, max(total_o, total_i));
 }
 
 #endif

@@ -27,9 +27,13 @@ const LibraryCase libraryCases[] = {
     {"kulla_conty", "single", "multiple=0 alpha=0.4", 0u, true},
     {"iridescent_mirror", "metal", "base_ior=0.9 base_kappa=2.5 film_ior=1.8 alpha_x=0.4"},
     {"iridescent_mirror", "thick", "thickness_nm=1500 terms=10 alpha_x=0.01 alpha_y=0.01"},
-    {"grating", "deep", "profile=sinusoidal period_nm=900 depth_nm=400 spread=0.1"},
+    {"grating", "deep", "profile=sinusoidal period_nm=900 depth_nm=400 spread=0.2"},
     {"grating", "mirror", "depth_nm=0 spread=0.05", 0u, true},
     {"grating", "fine", "period_nm=500 spread=0.01", 0u, true},
+    {"holzschuch_pacanowski", "rough", "eta=0.05 k=9 beta=0.3 p=0.5 sigma_um=0.1 c=1.3"},
+    {"holzschuch_pacanowski", "gaussian", "eta=0.05 k=9 beta=0.15 p=1 sigma_um=0.05 b_um=0.3 c=3"},
+    {"holzschuch_pacanowski", "smooth", "sigma_um=0 beta=0.2 p=2", 0u, true},
+    {"holzschuch_pacanowski", "no_mirror", "eta=0.05 k=9 sigma_um=1 b_um=5", 0u, true},
 };
 
 }  // namespace

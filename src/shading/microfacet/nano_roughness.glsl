@@ -15,6 +15,8 @@
 #include "shading/complex.glsl"
 #include "shading/constants.glsl"
 
+// Points of the sum over the logarithm of the slopes in nano_blurred_length.
+#define NANO_BLUR_POINTS 16
 // An even rule over a smooth periodic function converges like a geometric series.
 #define NANO_SHARE_POINTS 24
 
@@ -47,6 +49,35 @@ float nano_visible_share(float cos_o, float b, float c) {
         beyond += nano_spectrum_beyond(d * d, b, c);
     }
     return 1.0f - beyond / float(NANO_SHARE_POINTS);
+}
+
+// wo + wi along the surface, as a displacement with the density of the normalised spectrum.
+vec2 nano_spectrum_sample(float b, float c, vec2 u) {
+    float r2 = (pow(1.0f - u.x, -2.0f / (c - 1.0f)) - 1.0f) / (b * b);
+    float r = sqrt(clamp(r2, 0.0f, 1.0e8f));
+    return vec2(r * cos(TWO_PI * u.y), r * sin(TWO_PI * u.y));
+}
+
+// The length of a spectrum that stands for this one after microfacets have blurred it: of
+// exponential power slopes with the width beta and the power p, each of which turns wo + wi by
+// twice its slope. Its peak is that of the convolution, and it is normalised again; at half of the
+// peak it is off by up to a quarter, further out it has the spectrum's own exponent. The published
+// tables of such lobes are not ours to use. The peak is the mean of the spectrum at the slopes, a
+// sum over their logarithm.
+float nano_blurred_length(float b, float c, float beta, float p) {
+    float ratio2 = 4.0f * b * b * beta * beta;
+    // From 0.05 % of the weight to where exp(-t^p) is 1e-4.
+    float first = -7.5f;
+    float step_x = (2.2f / p - first) / float(NANO_BLUR_POINTS - 1);
+    float sum = 0.0f;
+    float weights = 0.0f;
+    for (int i = 0; i < NANO_BLUR_POINTS; ++i) {
+        float x = first + step_x * float(i);
+        float weight = exp(x - exp(p * x));
+        weights += weight;
+        sum += weight * pow(1.0f + ratio2 * exp(x), -0.5f * (c + 1.0f));
+    }
+    return b * sqrt(sum / weights);
 }
 
 // A, what is left in the mirror direction of light that goes from one angle to the other; both

@@ -1,6 +1,6 @@
-// A metal with grooves, like an optical disc or engraved steel: a mirror image (order 0) and, beside
-// it, every other order as a fan of wavelengths. All of them are blurred by `spread`, the standard
-// deviation of wo + wi along the surface, which small irregularities of the grooves cause.
+// A metal with grooves, like an optical disc or engraved steel: a mirror image (order 0) and,
+// beside it, every other order as a fan of wavelengths. All of them are blurred by `spread`, the
+// standard deviation of wo + wi along the surface, which irregularities of the grooves cause.
 //
 // f cos_i is a density over (u, v) = (wo + wi).xy, for which du dv = cos_i dwi. Along u an order is
 // the spectrum itself, wavelength = u period / m; its own width is far larger than the blur, which
@@ -37,16 +37,27 @@ float grating_blur_sample(float spread, float u) {
     return spread * SQRT_TWO * erf_inverse(clamp(2.0f * u - 1.0f, -0.9999999f, 0.9999999f));
 }
 
-// How often a sample is the mirror image: its share of the three channels' wavelengths, but never
-// almost always or never.
-float grating_mirror_probability(IN(Grating) g, vec3 wo) {
+// The mirror image: what of each channel goes there, and how often a sample does. The latter is the
+// mean of the channels, but never almost always or never, and of the view alone.
+struct GratingMirror {
+    vec3 share;
+    float probability;
+};
+
+GratingMirror grating_mirror(IN(Grating) g, vec3 wo, vec3 wi) {
+    vec3 share = vec3(0.0f);
     float sum = 0.0f;
     for (int i = 0; i < 3; ++i) {
         float nm = i == 0 ? GRATING_RED_NM : i == 1 ? GRATING_GREEN_NM : GRATING_BLUE_NM;
+        float total = grating_total(g, wo, nm);
+        share[i] = grating_order_share(g, wo, wi, 0, nm, total, grating_total(g, wi, nm));
         float mirror = grating_efficiency(g, 0, grating_phase(g, wo.z, wo.z, nm));
-        sum += mirror / max(grating_total(g, wo, nm), 1.0e-6f);
+        sum += mirror / max(total, 1.0e-6f);
     }
-    return clamp(sum / 3.0f, 0.1f, 0.9f);
+    GratingMirror r;
+    r.share = share;
+    r.probability = clamp(sum / 3.0f, 0.1f, 0.9f);
+    return r;
 }
 
 // The efficiencies by which samples choose among the orders but 0, at the orders' own directions.
@@ -55,8 +66,8 @@ float grating_side_efficiency(IN(Grating) g, vec3 wo, int order, float nm) {
     return grating_efficiency(g, order, grating_phase(g, wo.z, cos_m, nm));
 }
 
-float grating_side_total(IN(Grating) g, vec3 wo, float nm) {
-    return grating_total(g, wo, nm) - grating_side_efficiency(g, wo, 0, nm);
+float grating_side_total(IN(Grating) g, vec3 wo, float nm, float total) {
+    return total - grating_side_efficiency(g, wo, 0, nm);
 }
 
 bool grating_order_leaves(IN(Grating) g, vec3 w, int order, float nm) {
@@ -74,19 +85,21 @@ BsdfValue grating_side_orders(IN(Grating) g, vec3 wo, vec3 wi, float spread) {
     for (int n = max(int(ceil(path / SPECTRUM_LAST_NM)), 1); n <= last; ++n) {
         float nm = path / float(n);
         int order = u < 0.0f ? -n : n;
-        // The blur may carry light to where the order itself does not go: cut, in both ways alike.
-        if (!grating_order_leaves(g, wo, order, nm) || !grating_order_leaves(g, wi, order, nm)) {
-            continue;
-        }
-        float chosen = grating_side_efficiency(g, wo, order, nm);
-        if (chosen <= 0.0f) {
+        if (!grating_order_leaves(g, wo, order, nm)) {
             continue;
         }
         // Nanometres per unit of u, times the blur.
         float density = g.period_nm / float(n) * blur;
-        v.f_cos += rgb_of_wavelength(nm) * (grating_order_share(g, wo, wi, order, nm) * density);
-        v.pdf += chosen / grating_side_total(g, wo, nm) * density
-               / (SPECTRUM_LAST_NM - SPECTRUM_FIRST_NM);
+        float total = grating_total(g, wo, nm);
+        v.pdf += grating_side_efficiency(g, wo, order, nm) / grating_side_total(g, wo, nm, total)
+               * density / (SPECTRUM_LAST_NM - SPECTRUM_FIRST_NM);
+        // The blur may carry light to where the order itself does not come from: cut, as the light
+        // of the opposite way is.
+        if (grating_order_leaves(g, wi, order, nm)) {
+            float share = grating_order_share(g, wo, wi, order, nm, total,
+                                              grating_total(g, wi, nm));
+            v.f_cos += rgb_of_wavelength(nm) * (share * density);
+        }
     }
     return v;
 }
@@ -100,19 +113,21 @@ BsdfValue grating_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     float spread = grating_spread(m);
     BsdfValue v = grating_side_orders(g, wo, wi, spread);
     float mirror = grating_blur(wo.x + wi.x, spread) * grating_blur(wo.y + wi.y, spread);
-    vec3 share = vec3(grating_order_share(g, wo, wi, 0, GRATING_RED_NM),
-                      grating_order_share(g, wo, wi, 0, GRATING_GREEN_NM),
-                      grating_order_share(g, wo, wi, 0, GRATING_BLUE_NM));
+    GratingMirror r = grating_mirror(g, wo, wi);
     float cos_h = sqrt(clamp(0.5f + 0.5f * dot(wo, wi), 0.0f, 1.0f));
     vec3 f = fresnel_schlick(m.base_color, vec3(1.0f), cos_h);
-    v.f_cos = f * (v.f_cos + share * mirror) * wi.z;
-    v.pdf = mix(v.pdf, mirror, grating_mirror_probability(g, wo)) * wi.z;
+    v.f_cos = f * (v.f_cos + r.share * mirror) * wi.z;
+    v.pdf = mix(v.pdf, mirror, r.probability) * wi.z;
+    // Far out in the blur the density ends a little earlier than the value.
+    if (v.pdf <= 0.0f) {
+        return bsdf_no_value();
+    }
     return v;
 }
 
 // An order but 0, in proportion to the efficiencies; 0 if there is none.
 int grating_choose_order(IN(Grating) g, vec3 wo, float nm, float u) {
-    float rest = u * grating_side_total(g, wo, nm);
+    float rest = u * grating_side_total(g, wo, nm, grating_total(g, wo, nm));
     int last = grating_highest_order(g, wo, nm);
     int chosen = 0;
     for (int order = grating_lowest_order(g, wo, nm); order <= last; ++order) {
@@ -134,7 +149,7 @@ BsdfSample grating_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
     }
     Grating g = grating_of(m);
     float spread = grating_spread(m);
-    float mirror = grating_mirror_probability(g, wo);
+    float mirror = grating_mirror(g, wo, wo).probability;
     float x = -wo.x;
     if (u_lobe < mirror) {
         x += grating_blur_sample(spread, u.x);
