@@ -99,16 +99,26 @@ int grating_lowest_order(IN(Grating) g, vec3 w, float nm) {
     return -grating_highest_order(g, vec3(-w.x, w.y, w.z), nm);
 }
 
-// The efficiencies of all orders that leave. Since each order has a phase of its own, this is not
-// exactly 1, and may be above: at grazing angles up to 1.8.
-float grating_total(IN(Grating) g, vec3 w, float nm) {
+// The efficiency of an order at its own direction.
+float grating_order_efficiency(IN(Grating) g, vec3 w, int order, float nm) {
+    float cos_m = grating_order_cosine(g, w, order, nm);
+    return grating_efficiency(g, order, grating_phase(g, w.z, cos_m, nm));
+}
+
+// The efficiencies of all orders that leave, without the mirror image.
+float grating_side_total(IN(Grating) g, vec3 w, float nm) {
     float sum = 0.0f;
     int last = grating_highest_order(g, w, nm);
     for (int m = grating_lowest_order(g, w, nm); m <= last; ++m) {
-        float cos_m = grating_order_cosine(g, w, m, nm);
-        sum += grating_efficiency(g, m, grating_phase(g, w.z, cos_m, nm));
+        sum += m == 0 ? 0.0f : grating_order_efficiency(g, w, m, nm);
     }
     return sum;
+}
+
+// And with it. Since each order has a phase of its own, this is not exactly 1, and may be above: at
+// grazing angles up to 1.8.
+float grating_total(IN(Grating) g, vec3 w, float nm) {
+    return grating_side_total(g, w, nm) + grating_order_efficiency(g, w, 0, nm);
 }
 
 // The efficiency of an order from wo to wi, brought down where all orders of either direction

@@ -31,7 +31,8 @@ const LibraryCase libraryCases[] = {
     {"grating", "mirror", "depth_nm=0 spread=0.05", 0u, true},
     {"grating", "fine", "period_nm=500 spread=0.01", 0u, true},
     {"holzschuch_pacanowski", "rough", "eta=0.05 k=9 beta=0.3 p=0.5 sigma_um=0.1 c=1.3"},
-    {"holzschuch_pacanowski", "gaussian", "eta=0.05 k=9 beta=0.15 p=1 sigma_um=0.05 b_um=0.3 c=3"},
+    {"holzschuch_pacanowski", "gaussian", "eta=0.05 k=9 beta=0.15 p=1 sigma_um=0.05 b_um=0.3 c=3",
+     0u, true},
     {"holzschuch_pacanowski", "smooth", "sigma_um=0 beta=0.2 p=2", 0u, true},
     {"holzschuch_pacanowski", "no_mirror", "eta=0.05 k=9 sigma_um=1 b_um=5", 0u, true},
 };

@@ -83,6 +83,18 @@ TEST(NanoRoughness, VisibleShareIsItsIntegral) {
     fmt::print("visible share: largest relative error {:.1e}\n", worst);
 }
 
+// Models take the largest share of several angles as that of the smallest.
+TEST(NanoRoughness, VisibleShareFallsWithTheAngle) {
+    for (const float b : {0.1f, 1.0f, 5.0f, 20.0f}) {
+        for (const float c : {1.1f, 2.0f, 5.0f}) {
+            for (float cosine = 0.0f; cosine < 0.95f; cosine += 0.05f) {
+                EXPECT_LE(nano_visible_share(cosine, b, c),
+                          nano_visible_share(cosine + 0.05f, b, c) + 2e-6f) << b << " " << c;
+            }
+        }
+    }
+}
+
 TEST(NanoRoughness, LobeReturnsWhatTheMirrorLoses) {
     // The lobe over its visible share is normalised over directions for every angle.
     for (const float cosO : {1.0f, 0.6f, 0.1f}) {
@@ -98,6 +110,66 @@ TEST(NanoRoughness, LobeReturnsWhatTheMirrorLoses) {
     EXPECT_EQ(nano_specular_share(0.0f, 1.0f, 1.0f), 1.0f);
     EXPECT_NEAR(nano_specular_share(0.01f, 1.0f, 1.0f), std::exp(-0.0157914f), 1e-5f);
     EXPECT_LT(nano_specular_share(0.5f, 1.0f, 1.0f), 1e-15f);
+}
+
+// The mean of the spectrum over the slopes of facets, by quadrature over u = P(slope), in double; the
+// slopes are those of exponential_power_sample_tan2, paraxial.
+double blurredSpectrum(double f, double b, double c, double beta, double p) {
+    double sum = 0.0;
+    const int n = 4000, turns = 48;
+    for (int i = 0; i < n; ++i) {
+        const double slope = 2.0 * std::sqrt(double(exponential_power_sample_tan2(
+            float(beta), float(p), (float(i) + 0.5f) / float(n))));
+        for (int j = 0; j < turns; ++j) {
+            const double phi = M_PI * (j + 0.5) / turns;
+            const double f2 = f * f + slope * slope - 2.0 * f * slope * std::cos(phi);
+            sum += (c - 1.0) * b * b / (2.0 * M_PI) * std::pow(1.0 + b * b * f2, -0.5 * (c + 1.0));
+        }
+    }
+    return sum / (double(n) * turns);
+}
+
+// Its stand-in has the peak of the convolution, and a shape that is near.
+TEST(NanoRoughness, BlurIsAConvolution) {
+    double peak = 0.0, half = 0.0;
+    for (const double c : {1.5, 2.0, 3.0}) {
+        for (const double p : {0.5, 1.0, 2.0}) {
+            for (const double ratio : {0.1, 0.5, 1.0, 3.0}) {
+                const double b = 2.0, beta = 0.5 * ratio / b;
+                const double blurred = double(nano_blurred_length(float(b), float(c), float(beta),
+                                                                  float(p)));
+                const auto ours = [&](double f) {
+                    return double(nano_spectrum(float(f * f), float(blurred), float(c)));
+                };
+                peak = std::max(peak, std::abs(ours(0.0) / blurredSpectrum(0.0, b, c, beta, p)
+                                               - 1.0));
+                // Where ours is at half of its peak.
+                const double at = std::sqrt(std::pow(2.0, 2.0 / (c + 1.0)) - 1.0) / blurred;
+                half = std::max(half, std::abs(ours(at) / blurredSpectrum(at, b, c, beta, p)
+                                               - 1.0));
+            }
+        }
+    }
+    fmt::print("blurred lobe against the convolution: {:.3f} at the peak, {:.2f} at its half\n", peak,
+               half);
+    EXPECT_LT(peak, 0.02);
+    EXPECT_LT(half, 0.36);
+}
+
+// Samples of the spectrum fall within a distance as often as it says.
+TEST(NanoRoughness, SamplesFollowTheSpectrum) {
+    Random random(53);
+    for (const float c : {1.3f, 2.0f, 4.0f}) {
+        int within = 0;
+        const int n = 100'000;
+        for (int i = 0; i < n; ++i) {
+            const float x = random.uniform();
+            const vec2 f = nano_spectrum_sample(1.5f, c, vec2(x, random.uniform()));
+            within += dot(f, f) < 0.64f ? 1 : 0;
+        }
+        const double expected = 1.0 - double(nano_spectrum_beyond(0.64f, 1.5f, c));
+        EXPECT_NEAR(double(within) / n, expected, 0.007) << c;
+    }
 }
 
 // Half the sum of |Q|^2 is F in the mirror direction. The authors' whole sum would be 2 F: a lobe

@@ -51,23 +51,12 @@ GratingMirror grating_mirror(IN(Grating) g, vec3 wo, vec3 wi) {
         float nm = i == 0 ? GRATING_RED_NM : i == 1 ? GRATING_GREEN_NM : GRATING_BLUE_NM;
         float total = grating_total(g, wo, nm);
         share[i] = grating_order_share(g, wo, wi, 0, nm, total, grating_total(g, wi, nm));
-        float mirror = grating_efficiency(g, 0, grating_phase(g, wo.z, wo.z, nm));
-        sum += mirror / max(total, 1.0e-6f);
+        sum += grating_order_efficiency(g, wo, 0, nm) / max(total, 1.0e-6f);
     }
     GratingMirror r;
     r.share = share;
     r.probability = clamp(sum / 3.0f, 0.1f, 0.9f);
     return r;
-}
-
-// The efficiencies by which samples choose among the orders but 0, at the orders' own directions.
-float grating_side_efficiency(IN(Grating) g, vec3 wo, int order, float nm) {
-    float cos_m = grating_order_cosine(g, wo, order, nm);
-    return grating_efficiency(g, order, grating_phase(g, wo.z, cos_m, nm));
-}
-
-float grating_side_total(IN(Grating) g, vec3 wo, float nm, float total) {
-    return total - grating_side_efficiency(g, wo, 0, nm);
 }
 
 bool grating_order_leaves(IN(Grating) g, vec3 w, int order, float nm) {
@@ -90,12 +79,13 @@ BsdfValue grating_side_orders(IN(Grating) g, vec3 wo, vec3 wi, float spread) {
         }
         // Nanometres per unit of u, times the blur.
         float density = g.period_nm / float(n) * blur;
-        float total = grating_total(g, wo, nm);
-        v.pdf += grating_side_efficiency(g, wo, order, nm) / grating_side_total(g, wo, nm, total)
+        float side = grating_side_total(g, wo, nm);
+        v.pdf += grating_order_efficiency(g, wo, order, nm) / max(side, 1.0e-20f)
                * density / (SPECTRUM_LAST_NM - SPECTRUM_FIRST_NM);
         // The blur may carry light to where the order itself does not come from: cut, as the light
         // of the opposite way is.
         if (grating_order_leaves(g, wi, order, nm)) {
+            float total = side + grating_order_efficiency(g, wo, 0, nm);
             float share = grating_order_share(g, wo, wi, order, nm, total,
                                               grating_total(g, wi, nm));
             v.f_cos += rgb_of_wavelength(nm) * (share * density);
@@ -127,11 +117,11 @@ BsdfValue grating_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
 
 // An order but 0, in proportion to the efficiencies; 0 if there is none.
 int grating_choose_order(IN(Grating) g, vec3 wo, float nm, float u) {
-    float rest = u * grating_side_total(g, wo, nm, grating_total(g, wo, nm));
+    float rest = u * grating_side_total(g, wo, nm);
     int last = grating_highest_order(g, wo, nm);
     int chosen = 0;
     for (int order = grating_lowest_order(g, wo, nm); order <= last; ++order) {
-        float share = order == 0 ? 0.0f : grating_side_efficiency(g, wo, order, nm);
+        float share = order == 0 ? 0.0f : grating_order_efficiency(g, wo, order, nm);
         if (share > 0.0f) {
             chosen = order;
             rest -= share;

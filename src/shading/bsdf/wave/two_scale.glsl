@@ -39,37 +39,41 @@ struct TwoScaleChannel {
     float density;    // of samples of the lobe, per (wo + wi).xy
 };
 
+// The share of the lobe's samples that is taken from it, the others from the cosine: most samples
+// of a wide lobe would fall below the horizon. At normal incidence this is the visible share.
+float two_scale_lobe_probability(float blurred, float c) {
+    return 1.0f - nano_spectrum_beyond(1.0f, blurred, c);
+}
+
+// The visible share falls with the angle, so that the largest of several is that of the largest
+// cosine.
 TwoScaleChannel two_scale_channel(IN(BsdfParams) m, vec3 wo, vec3 wi, float cos_h, float um) {
     float sigma = two_scale_sigma_um(m) / um;
     float b = two_scale_b_um(m) / um;
     float c = two_scale_c(m);
-    float share_o = nano_visible_share(wo.z, b, c);
-    float share_i = nano_visible_share(wi.z, b, c);
-    float high = max(cos_h, max(wo.z, wi.z));
     float low = min(wo.z, wi.z);
-    float high_share = max(max(share_o, share_i), nano_visible_share(cos_h, b, c));
+    float either = max(wo.z, wi.z);
+    float high = max(cos_h, either);
     float blurred = nano_blurred_length(b, c, two_scale_beta(m), two_scale_power(m));
-    float visible_o = nano_visible_share(wo.z, blurred, c);
-    float visible = max(visible_o, nano_visible_share(wi.z, blurred, c));
     float x = wo.x + wi.x;
     float y = wo.y + wi.y;
     float lobe = nano_spectrum(x * x + y * y, blurred, c);
+    float sigma_high = sigma * sqrt(nano_visible_share(high, b, c));
+    float sigma_low = sigma * sqrt(nano_visible_share(low, b, c));
     TwoScaleChannel s;
-    s.mirror = nano_specular_share(sigma * sqrt(high_share), high, high);
-    s.diffracted = (1.0f - nano_specular_share(sigma * sqrt(min(share_o, share_i)), low, low))
-                 * lobe / visible;
-    // Samples of a wide lobe mostly fall below the horizon: the wider, the more of them are taken
-    // from the cosine instead.
-    s.density = mix(INV_PI, lobe, visible_o);
+    s.mirror = nano_specular_share(sigma_high, high, high);
+    s.diffracted = (1.0f - nano_specular_share(sigma_low, low, low))
+                 * lobe / nano_visible_share(either, blurred, c);
+    s.density = mix(INV_PI, lobe, two_scale_lobe_probability(blurred, c));
     return s;
 }
 
-// How often a sample is a facet's mirror image.
+// How often a sample is a facet's mirror image: about A.
 float two_scale_mirror_probability(IN(BsdfParams) m, float cos_o) {
-    float um = TWO_SCALE_GREEN_UM;
-    float share = nano_visible_share(cos_o, two_scale_b_um(m) / um, two_scale_c(m));
-    float sigma = two_scale_sigma_um(m) / um * sqrt(share);
-    return clamp(nano_specular_share(sigma, cos_o, cos_o), 0.1f, 0.95f);
+    float sigma = two_scale_sigma_um(m) / TWO_SCALE_GREEN_UM;
+    float b = two_scale_b_um(m) / TWO_SCALE_GREEN_UM;
+    float share = two_scale_lobe_probability(b, two_scale_c(m));
+    return clamp(nano_specular_share(sigma * sqrt(share), cos_o, cos_o), 0.1f, 0.95f);
 }
 
 BsdfValue two_scale_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
@@ -103,7 +107,7 @@ vec3 two_scale_sample_diffracted(IN(BsdfParams) m, vec3 wo, float u_channel, vec
     float c = two_scale_c(m);
     float blurred = nano_blurred_length(two_scale_b_um(m) / um, c, two_scale_beta(m),
                                         two_scale_power(m));
-    if (at - floor(at) >= nano_visible_share(wo.z, blurred, c)) {
+    if (at - floor(at) >= two_scale_lobe_probability(blurred, c)) {
         return square_to_cosine_hemisphere(u);
     }
     vec2 moved = nano_spectrum_sample(blurred, c, u);
