@@ -28,7 +28,7 @@ float nano_spectrum(float f2, float b, float c) {
 
 // The share of the spectrum beyond the distance whose square is f2.
 float nano_spectrum_beyond(float f2, float b, float c) {
-    return pow(1.0f + b * b * f2, -0.5f * (c - 1.0f));
+    return exp2(-0.5f * (c - 1.0f) * log2(1.0f + b * b * f2));
 }
 
 // sigma_rel^2 / sigma^2: the share of the spectrum that sends light from an angle into directions
@@ -40,13 +40,17 @@ float nano_visible_share(float cos_o, float b, float c) {
     float sin2 = max(1.0f - cos2, 0.0f);
     float sin_o = sqrt(sin2);
     float beyond = 0.0f;
-    for (int i = 0; i < NANO_SHARE_POINTS; ++i) {
-        float cos_psi = cos(PI / float(NANO_SHARE_POINTS) * (float(i) + 0.5f));
-        // The positive root of d^2 + 2 d sin cos(psi) = cos^2, without a difference.
-        float middle = sin_o * cos_psi;
-        float root = sqrt(middle * middle + cos2);
-        float d = middle > 0.0f ? cos2 / (root + middle) : root - middle;
-        beyond += nano_spectrum_beyond(d * d, b, c);
+    // psi and pi - psi are the two roots of d^2 + 2 d sin cos(psi) = cos^2; psi turns by a step.
+    float half_step = HALF_PI / float(NANO_SHARE_POINTS);
+    vec2 turn = vec2(cos(2.0f * half_step), sin(2.0f * half_step));
+    vec2 psi = vec2(cos(half_step), sin(half_step));
+    for (int i = 0; i < NANO_SHARE_POINTS / 2; ++i) {
+        float middle = sin_o * psi.x;
+        float far_root = sqrt(middle * middle + cos2) + middle;
+        float near_root = cos2 / max(far_root, 1.0e-20f);
+        beyond += nano_spectrum_beyond(far_root * far_root, b, c)
+                + nano_spectrum_beyond(near_root * near_root, b, c);
+        psi = complex_multiply(psi, turn);
     }
     return 1.0f - beyond / float(NANO_SHARE_POINTS);
 }

@@ -50,6 +50,13 @@ float two_scale_lobe_probability(float blurred, float c) {
 TwoScaleChannel two_scale_channel(IN(BsdfParams) m, vec3 wo, vec3 wi, float cos_h, float um) {
     float sigma = two_scale_sigma_um(m) / um;
     float b = two_scale_b_um(m) / um;
+    TwoScaleChannel s;
+    s.mirror = 1.0f;
+    s.diffracted = 0.0f;
+    s.density = 0.0f;
+    if (sigma <= 0.0f) {
+        return s;
+    }
     float c = two_scale_c(m);
     float low = min(wo.z, wi.z);
     float either = max(wo.z, wi.z);
@@ -60,7 +67,6 @@ TwoScaleChannel two_scale_channel(IN(BsdfParams) m, vec3 wo, vec3 wi, float cos_
     float lobe = nano_spectrum(x * x + y * y, blurred, c);
     float sigma_high = sigma * sqrt(nano_visible_share(high, b, c));
     float sigma_low = sigma * sqrt(nano_visible_share(low, b, c));
-    TwoScaleChannel s;
     s.mirror = nano_specular_share(sigma_high, high, high);
     s.diffracted = (1.0f - nano_specular_share(sigma_low, low, low))
                  * lobe / nano_visible_share(either, blurred, c);
@@ -71,6 +77,9 @@ TwoScaleChannel two_scale_channel(IN(BsdfParams) m, vec3 wo, vec3 wi, float cos_
 // How often a sample is a facet's mirror image: about A.
 float two_scale_mirror_probability(IN(BsdfParams) m, float cos_o) {
     float sigma = two_scale_sigma_um(m) / TWO_SCALE_GREEN_UM;
+    if (sigma <= 0.0f) {
+        return 1.0f;
+    }
     float b = two_scale_b_um(m) / TWO_SCALE_GREEN_UM;
     float share = two_scale_lobe_probability(b, two_scale_c(m));
     return clamp(nano_specular_share(sigma * sqrt(share), cos_o, cos_o), 0.1f, 0.95f);
