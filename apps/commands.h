@@ -17,6 +17,7 @@ Command addRenderCommand(CLI::App& tool);
 Command addInfoCommand(CLI::App& tool);
 Command addCompareCommand(CLI::App& tool);
 Command addMakeSceneCommand(CLI::App& tool);
+Command addBrdfCommand(CLI::App& tool);
 
 // An option with one word as its value, given to `accept`.
 CLI::Option* addWord(CLI::App& app, const std::string& names, const std::string& typeName,

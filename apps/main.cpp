@@ -20,7 +20,8 @@ constexpr const char* kExamples =
     "  glitterpath make-scene still-life -o still-life.glb\n"
     "  glitterpath info still-life.glb\n"
     "  glitterpath render still-life.glb -o still-life.png --time-limit 60\n"
-    "  glitterpath compare test.exr reference.exr --heatmap difference.png\n\n"
+    "  glitterpath compare test.exr reference.exr --heatmap difference.png\n"
+    "  glitterpath brdf eval ward --wi 0,0,1 --wo 1,0,1\n\n"
     "`glitterpath SUBCOMMAND --help` tells all of a subcommand; docs/manual.md is the manual.\n"
     "Exit codes: 0 done; 1 failed, or a threshold was passed; 2 command line not understood;\n"
     "130 interrupted.";
@@ -58,22 +59,31 @@ std::string suggestion(const std::string& nearest) {
     return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
 }
 
+// The subcommand of a subcommand that was chosen, or itself.
+const CLI::App* innermost(const CLI::App* app) {
+    while (app != nullptr && !app->get_subcommands().empty()) {
+        app = app->get_subcommands().front();
+    }
+    return app;
+}
+
 // The words that no option and no subcommand took.
-void refuseExtras(const CLI::App& tool, const CLI::App* command) {
+void refuseExtras(const CLI::App& tool, const CLI::App* chosenCommand) {
+    const CLI::App* command = innermost(chosenCommand);
     const std::vector<std::string> rootExtras = tool.remaining();
     const std::vector<std::string> extras = command ? command->remaining() : rootExtras;
     if (extras.empty()) {
         return;
     }
     const std::string& word = extras.front();
+    const CLI::App& parent = command ? *command : tool;
     if (word.starts_with('-') && word.size() > 1) {
-        const CLI::App& app = command ? *command : tool;
         throw UsageError(
-            fmt::format("unknown option '{}'{}", word, suggestion(nearestOption(app, word))));
+            fmt::format("unknown option '{}'{}", word, suggestion(nearestOption(parent, word))));
     }
-    if (command == nullptr) {
+    if (!parent.get_subcommands({}).empty()) {
         throw UsageError(fmt::format("unknown subcommand '{}'{}", word,
-                                     suggestion(nearestCommand(tool, word))));
+                                     suggestion(nearestCommand(parent, word))));
     }
     throw UsageError(fmt::format("unexpected argument '{}'", word));
 }
@@ -97,7 +107,8 @@ int run(int argumentCount, char** arguments) {
     tool.footer(kExamples);
     tool.allow_extras();
     std::vector<Command> commands = {addRenderCommand(tool), addInfoCommand(tool),
-                                     addCompareCommand(tool), addMakeSceneCommand(tool)};
+                                     addCompareCommand(tool), addMakeSceneCommand(tool),
+                                     addBrdfCommand(tool)};
     for (const Command& command : commands) {
         command.app->allow_extras();
         command.app->fallthrough(false);
@@ -109,7 +120,7 @@ int run(int argumentCount, char** arguments) {
         command = chosen(commands);
         refuseExtras(tool, command ? command->app : nullptr);
         if (command == nullptr) {
-            throw UsageError("a subcommand is missing: render, info, compare or make-scene");
+            throw UsageError("a subcommand is missing: render, info, compare, make-scene or brdf");
         }
         return command->run();
     } catch (const CLI::Success& help) {

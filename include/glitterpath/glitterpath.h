@@ -65,6 +65,7 @@ typedef struct GpSceneImpl* GpScene;
 typedef struct GpInstanceImpl* GpInstance;
 typedef struct GpLightImpl* GpLight;
 typedef struct GpFrameImpl* GpFrame;
+typedef struct GpBsdfImpl* GpBsdf;
 
 /* ------------------------------------------------------------------------------------ errors */
 
@@ -572,6 +573,49 @@ GP_API GpError gpLoadImage(GpDevice device, const char* path, GpImage* image);
 GP_API GpError gpSaveImage(GpDevice device, const char* path, const GpImage* image);
 /* Frees and clears; an image of zeros is allowed. */
 GP_API void gpFreeImage(GpImage* image);
+
+/* ------------------------------------------------------------------------------- reflectance
+ * The models of the library one by one, to look at and to compute with; no scene is needed. */
+
+/* Whose names `model` and `parameters` are. */
+typedef enum GpBsdfDialect {
+    GP_DIALECT_OWN = 0,  /* ours: gpDescribeBsdfModels */
+    GP_DIALECT_WDAS = 1, /* the .brdf files of Disney's BRDF Explorer (wdas/brdf) */
+    GP_DIALECT_BBM = 2   /* the BSDF benchmark (bsdfbenchmark/bbm) */
+} GpBsdfDialect;
+
+typedef struct GpBsdfParameter {
+    const char* name;
+    const char* value;   /* "20"; "0.8,0.5,0.3" or one number for a color; "true" or "false"; the
+                            name of a choice */
+} GpBsdfParameter;
+
+typedef struct GpBsdfDesc {
+    const char* model;                 /* required */
+    GpBsdfDialect dialect;             /* GP_DIALECT_OWN */
+    const GpBsdfParameter* parameters; /* those that are not here have their defaults */
+    uint32_t parameterCount;
+} GpBsdfDesc;
+
+typedef struct GpBsdfValue {
+    float f[3]; /* 1/sr, without the cosine; 0 below the horizon of opaque surfaces */
+    float pdf;  /* 1/sr: how densely wi is sampled for this wo */
+} GpBsdfValue;
+
+/* All models with their parameters, ranges, defaults and references as a JSON text; sizes as in
+ * gpDescribeScene. */
+GP_API GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed);
+/* NULL on failure. An unknown name or a value that cannot be read is GP_ERROR_INVALID_ARGUMENT; the
+ * message names model and parameter, and the nearest known name. A value outside of its range is
+ * clamped where the model's literature does not allow it: gpDescribeBsdf tells. */
+GP_API GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc);
+GP_API GpError gpReleaseBsdf(GpBsdf bsdf);
+/* Model, values of all parameters and notices (what was clamped) as a JSON text. */
+GP_API GpError gpDescribeBsdf(GpBsdf bsdf, char* text, size_t size, size_t* needed);
+/* `count` values, at most 2^26. wi, to the light, and wo, to the viewer, leave the surface, three
+ * floats each, of any length but 0; normal +Z, tangent +X. */
+GP_API GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* wo,
+                              GpBsdfValue* values);
 
 #ifdef __cplusplus
 }

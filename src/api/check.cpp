@@ -49,4 +49,14 @@ void checkImageSize(uint32_t width, uint32_t height, uint32_t limit, uint64_t ma
         fail(GP_ERROR_TOO_LARGE, "{} x {} is more than {} pixels", width, height, maxPixels);
 }
 
+void giveText(const std::string& result, char* text, size_t size, size_t* needed) {
+    if (size != 0) checkPointer(text, "text");
+    if (needed) *needed = result.size() + 1;
+    if (size == 0) return;
+    if (size < result.size() + 1)
+        fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the text needs {} bytes", size,
+             result.size() + 1);
+    std::memcpy(text, result.c_str(), result.size() + 1);
+}
+
 }  // namespace gp::api

@@ -40,6 +40,9 @@ uint32_t checkEnum(const E& value, uint32_t count, const char* field) {
     return number;
 }
 
+// A text for the caller's buffer, by the rules of gpDescribeScene.
+void giveText(const std::string& result, char* text, size_t size, size_t* needed);
+
 inline bool allZero(const float* values, size_t count) {
     for (size_t i = 0; i < count; ++i)
         if (values[i] != 0) return false;

@@ -15,6 +15,7 @@
 #include "backend/backend.h"
 #include "frame/frame_images.h"
 #include "glitterpath/glitterpath.h"
+#include "scene/bsdf_registry.h"
 #include "scene/scene.h"
 
 namespace gp::api {
@@ -92,6 +93,11 @@ struct FrameObject final : ChildObject {
     Camera camera;
 };
 
+struct BsdfObject final : ChildObject {
+    using ChildObject::ChildObject;
+    std::unique_ptr<const BsdfSettings> settings;
+};
+
 template <class Handle> struct HandleTraits;
 #define GP_HANDLE(Handle, Target, name)                              \
     template <> struct HandleTraits<Handle> {                        \
@@ -106,6 +112,7 @@ GP_HANDLE(GpScene, SceneObject, scene)
 GP_HANDLE(GpInstance, InstanceObject, instance)
 GP_HANDLE(GpLight, LightObject, light)
 GP_HANDLE(GpFrame, FrameObject, frame)
+GP_HANDLE(GpBsdf, BsdfObject, bsdf)
 #undef GP_HANDLE
 
 }  // namespace gp::api

@@ -138,14 +138,7 @@ GpError gpGetSceneInfo(GpScene scene, GpSceneInfo* info) {
 
 GpError gpDescribeScene(GpScene scene, char* text, size_t size, size_t* needed) {
     return enter("gpDescribeScene", "scene", scene, [&](SceneObject& s) {
-        if (size != 0) checkPointer(text, "text");
-        const std::string json = describeScene(s.scene);
-        if (needed) *needed = json.size() + 1;
-        if (size == 0) return;
-        if (size < json.size() + 1)
-            fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the text needs {} bytes", size,
-                 json.size() + 1);
-        std::memcpy(text, json.c_str(), json.size() + 1);
+        giveText(describeScene(s.scene), text, size, needed);
     });
 }
 

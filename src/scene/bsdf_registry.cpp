@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "nearest_word.h"
+#include "scene/find_by_name.h"
 #include "shading/shading.h"
 
 namespace gp {
@@ -113,11 +113,7 @@ const auto& findByName(const List& list, const std::string& what, const std::str
         if (entry.name == name) return entry;
         names.push_back(entry.name);
     }
-    const std::string nearest = nearestWord(name, names);
-    const std::string hint = nearest.empty()
-        ? fmt::format("there are: {}", fmt::join(names, ", "))
-        : fmt::format("did you mean {}?", nearest);
-    throw BsdfError(fmt::format("unknown {} '{}' ({})", what, name, hint));
+    throwUnknown(what, name, names);
 }
 
 template <class... Args>

@@ -42,7 +42,7 @@ struct BsdfModelInfo {
 
 // In the order of models.def.
 const std::vector<BsdfModelInfo>& bsdfModels();
-// Throws BsdfError with the nearest name. Presets and measured files will be found here as well.
+// Throws BsdfError with the nearest name.
 const BsdfModelInfo& findBsdfModel(const std::string& name);
 const BsdfParameterInfo& findBsdfParameter(const BsdfModelInfo& model, const std::string& name);
 

@@ -8,7 +8,8 @@
 namespace gp {
 namespace {
 
-[[maybe_unused]] shading::BsdfParams bsdfParamsFrom(const BsdfSettings& settings) {
+// Without what models derive from their parameters: bsdfParamsFrom is for everyone else.
+[[maybe_unused]] shading::BsdfParams bareBsdfParams(const BsdfSettings& settings) {
     using namespace shading;
     BsdfParams m = bsdf_params_of(settings.model->number);
     uint32_t row = 0;
@@ -38,6 +39,10 @@ namespace {
 #undef GP_VALUE_FLAG
 #undef GP_VALUE_CHOICE
     return m;
+}
+
+[[maybe_unused]] shading::BsdfParams bsdfParamsFrom(const BsdfSettings& settings) {
+    return shading::bsdf_prepared(bareBsdfParams(settings));
 }
 
 }  // namespace

@@ -14,8 +14,9 @@
 // A local name for what a function returns, without a copy where the language can.
 #define LET_REF(T) const T&
 
-// A function that the hot code only meets by way of exception: kept out of it.
-#define OUT_OF_LINE [[gnu::noinline, gnu::cold]]
+// A function that the hot code only meets by way of exception: kept out of it. (Not gnu::cold: that
+// would compile it for size.)
+#define OUT_OF_LINE [[gnu::noinline]]
 // An array of numbers that a function looks things up in.
 #define CONST_TABLE static constexpr
 

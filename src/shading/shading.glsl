@@ -12,6 +12,7 @@
 #include "shading/sampling/sobol.glsl"
 #include "shading/sampling/sampler.glsl"
 #include "shading/sampling/warps.glsl"
+#include "shading/sampling/cosine_power.glsl"
 #include "shading/sampling/morton.glsl"
 #include "shading/sampling/alias.glsl"
 #include "shading/sampling/mis.glsl"
@@ -47,6 +48,7 @@
 #include "shading/microfacet/empirical.glsl"
 #include "shading/microfacet/masking.glsl"
 #include "shading/microfacet/distribution.glsl"
+#include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 #endif

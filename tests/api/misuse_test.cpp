@@ -18,7 +18,8 @@ const Rows& allRows() {
         Rows all;
         for (const Rows& some :
              {deviceRows(), textureRows(), materialRows(), meshRows(), instanceRows(), sceneRows(),
-              lightRows(), environmentRows(), cameraRows(), frameRows(), renderRows(), imageRows()})
+              lightRows(), environmentRows(), cameraRows(), frameRows(), renderRows(), imageRows(),
+              bsdfRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

@@ -70,6 +70,9 @@ Handles makeHandles(GpDevice device, uint64_t ids) {
     h.instance = newInstance(h.scene, h.mesh, ids);
     h.light = newLight(h.scene, ids);
     h.frame = newFrame(device);
+    GpBsdfDesc bsdf{};
+    bsdf.model = "lambert";
+    h.bsdf = gpNewBsdf(device, &bsdf);
     return h;
 }
 
@@ -81,6 +84,7 @@ void release(const Handles& h) {
     EXPECT_EQ(gpReleaseLight(h.light), GP_SUCCESS);
     EXPECT_EQ(gpReleaseFrame(h.frame), GP_SUCCESS);
     EXPECT_EQ(gpReleaseScene(h.scene), GP_SUCCESS);
+    EXPECT_EQ(gpReleaseBsdf(h.bsdf), GP_SUCCESS);
 }
 
 std::string describe(GpScene scene) {

@@ -22,6 +22,7 @@ struct Handles {
     GpInstance instance = nullptr;
     GpLight light = nullptr;
     GpFrame frame = nullptr;
+    GpBsdf bsdf = nullptr;
 
     GpDevice get(GpDevice) const { return device; }
     GpTexture get(GpTexture) const { return texture; }
@@ -31,6 +32,7 @@ struct Handles {
     GpInstance get(GpInstance) const { return instance; }
     GpLight get(GpLight) const { return light; }
     GpFrame get(GpFrame) const { return frame; }
+    GpBsdf get(GpBsdf) const { return bsdf; }
 };
 
 GpDevice newNullDevice();
@@ -119,5 +121,6 @@ Rows cameraRows();
 Rows frameRows();
 Rows renderRows();
 Rows imageRows();
+Rows bsdfRows();
 
 }  // namespace gp::test

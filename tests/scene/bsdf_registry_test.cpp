@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shading/shading.h"
@@ -17,7 +18,7 @@ namespace {
 using Words = std::array<uint32_t, sizeof(shading::BsdfParams) / sizeof(uint32_t)>;
 
 Words wordsOf(const BsdfSettings& settings) {
-    return std::bit_cast<Words>(bsdfParamsFrom(settings));
+    return std::bit_cast<Words>(bareBsdfParams(settings));
 }
 
 // A value that differs from the default in every component.

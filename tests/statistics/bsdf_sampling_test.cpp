@@ -101,10 +101,13 @@ TEST_P(BsdfSampling, SurvivesExtremes) {
             const BsdfSample s = bsdf_sample(c.params, wo, ends[i % 4],
                                              vec2(ends[i / 4 % 4], ends[i / 16]));
             ASSERT_TRUE(std::isfinite(s.pdf) && s.pdf >= 0.0f) << c.name << " " << z << " " << i;
-            ASSERT_TRUE(s.weight.x >= 0.0f && s.weight.x < 1e3f) << c.name << " " << z << " " << i;
+            // Published formulas that divide by a cosine alone are cut off at one of 1e-6.
+            const bool bounded = (c.flags & BSDF_CONSERVING) != 0u;
+            ASSERT_TRUE(s.weight.x >= 0.0f && s.weight.x < (bounded ? 1e3f : 1e8f))
+                << c.name << " " << z << " " << i;
             const vec3 albedo = bsdf_albedo(c.params, z);
-            const float most = (c.flags & BSDF_CONSERVING) != 0u ? 1.01f : 100.0f;
-            ASSERT_TRUE(albedo.x >= 0.0f && albedo.x < most) << c.name << " " << z;
+            ASSERT_TRUE(albedo.x >= 0.0f && albedo.x < (bounded ? 1.01f : 1e8f))
+                << c.name << " " << z;
         }
     }
 }

@@ -1,4 +1,4 @@
-// Distributions of normals by number: area, sampling, and Smith's masking from the tables.
+// Distributions of normals by number: area, sampling, and Smith's masking from its fits.
 #include <gtest/gtest.h>
 
 #include "shading/shading.h"
@@ -13,7 +13,7 @@ struct Kind {
     const char* name;
     uint number;
     std::vector<float> shapes;
-    float lowest, highest;  // shapes that the tables cover
+    float lowest, highest;  // shapes
 };
 const Kind kinds[] = {
     {"ggx", DISTRIBUTION_GGX, {0.0f}, 0.0f, 1.0f},
@@ -32,6 +32,7 @@ Distribution distributionOf(uint kind, float alphaX, float alphaY, float shape) 
     d.alpha_x = alphaX;
     d.alpha_y = alphaY;
     d.shape = shape;
+    d.fit = smith_fit_of(d);
     return d;
 }
 
@@ -80,6 +81,24 @@ TEST(Distribution, AreaProjectsToOne) {
     }
 }
 
+// The weak white furnace of V-cavities: what wo sees of them projects to its cosine, for any D.
+TEST(Distribution, CavitiesPassTheWeakWhiteFurnace) {
+    for (const Kind& k : kinds) {
+        const float shape = k.shapes[k.shapes.size() / 2];
+        for (const float cosine : {0.95f, 0.5f, 0.1f}) {
+            const Distribution d = distributionOf(k.number, 0.3f, 0.15f, shape);
+            const float r = std::sqrt(1.0f - cosine * cosine);
+            const vec3 wo(r * 0.8f, r * 0.6f, cosine);
+            const double visible = overNormals(d, [&](vec3 wm) {
+                const float oh = dot(wo, wm);
+                return oh <= 0.0f ? 0.0 : double(oh) * double(distribution_d(d, wm))
+                                        * double(masking_v_cavity_g1(wo.z, wm.z, oh));
+            }, true);
+            EXPECT_NEAR(visible / double(cosine), 1.0, 2e-3) << k.name << " cos " << cosine;
+        }
+    }
+}
+
 // Special cases of one distribution are other ones.
 TEST(Distribution, FamiliesMeet) {
     Random random(3);
@@ -101,8 +120,9 @@ TEST(Distribution, FamiliesMeet) {
     // [Burley 2012, "Physically Based Shading at Disney", appendix B.2]: gamma = 1 and 2.
     const double a2 = 0.09, c2 = 0.64;
     const vec3 wm(0.6f, 0.0f, 0.8f);
-    EXPECT_NEAR(gtr_d(wm, 0.3f, 1.0f), (a2 - 1) / (M_PI * std::log(a2) * (1 + (a2 - 1) * c2)), 1e-6);
-    EXPECT_NEAR(gtr_d(wm, 0.3f, 2.0f), a2 / (M_PI * std::pow(1 + (a2 - 1) * c2, 2)), 1e-6);
+    const double y = 1 + (a2 - 1) * c2;
+    EXPECT_NEAR(gtr_d(wm, 0.3f, 1.0f), (a2 - 1) / (M_PI * std::log(a2) * y), 1e-6);
+    EXPECT_NEAR(gtr_d(wm, 0.3f, 2.0f), a2 / (M_PI * y * y), 1e-6);
     EXPECT_NEAR(blinn_phong_exponent(blinn_phong_alpha(37.0f)), 37.0f, 1e-4f);
 }
 
@@ -124,7 +144,7 @@ TEST(Distribution, StretchingIsExact) {
     }
 }
 
-// 1 / (1 + Lambda) by quadrature of the facets that look away (scripts/make_masking_table.py).
+// 1 / (1 + Lambda) by adaptive quadrature of the facets that look away (smith_quadrature.glsl).
 double exactG1(const Distribution& d, double cotangent) {
     const auto away = [&](double q) {
         const double t = cotangent * std::exp(q * q);
@@ -140,8 +160,8 @@ double exactG1(const Distribution& d, double cotangent) {
     return 1.0 / (1.0 + integratePieces(away, 0.0, last, breaks, {1e-5, 1e-8}, 4));
 }
 
-// The error that tabulated_lambda.glsl states, at random places.
-TEST(Distribution, TabulatedMaskingKeepsItsError) {
+// The error that smith_fit.glsl states, at random places.
+TEST(Distribution, FittedMaskingKeepsItsError) {
     Random random(5);
     for (const Kind& k : kinds) {
         double worst = 0.0;
@@ -163,8 +183,9 @@ TEST(Distribution, TabulatedMaskingKeepsItsError) {
             where = fmt::format("shape {} alpha {} cotangent {}", d.shape, alpha, c);
         }
         fmt::print("  {:18} G1 is off by at most {:.5f} at {}\n", k.name, worst, where);
-        const bool closed = k.number < DISTRIBUTION_GTR;
-        EXPECT_LT(worst, closed ? 1e-4 : 0.005) << k.name << " " << where;
+        const double stated = k.number < DISTRIBUTION_GTR ? 1e-4
+                            : k.number == DISTRIBUTION_EXPONENTIAL_POWER ? 0.003 : 0.0015;
+        EXPECT_LT(worst, stated) << k.name << " " << where;
     }
 }
 

@@ -112,8 +112,8 @@ TEST(NanoRoughness, LobeReturnsWhatTheMirrorLoses) {
     EXPECT_LT(nano_specular_share(0.5f, 1.0f, 1.0f), 1e-15f);
 }
 
-// The mean of the spectrum over the slopes of facets, by quadrature over u = P(slope), in double; the
-// slopes are those of exponential_power_sample_tan2, paraxial.
+// The mean of the spectrum over the slopes of facets, by quadrature over u = P(slope), in double;
+// the slopes are those of exponential_power_sample_tan2, paraxial.
 double blurredSpectrum(double f, double b, double c, double beta, double p) {
     double sum = 0.0;
     const int n = 4000, turns = 48;
@@ -150,8 +150,8 @@ TEST(NanoRoughness, BlurIsAConvolution) {
             }
         }
     }
-    fmt::print("blurred lobe against the convolution: {:.3f} at the peak, {:.2f} at its half\n", peak,
-               half);
+    fmt::print("blurred lobe against the convolution: {:.3f} at the peak, {:.2f} at its half\n",
+               peak, half);
     EXPECT_LT(peak, 0.02);
     EXPECT_LT(half, 0.36);
 }

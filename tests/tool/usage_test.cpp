@@ -29,7 +29,7 @@ void expectRefused(const WrongLine& wrong) {
 }
 
 TEST(Help, ExistsForTheToolAndEachSubcommandWithExamples) {
-    for (const char* command : {"", "render", "info", "compare", "make-scene"}) {
+    for (const char* command : {"", "render", "info", "compare", "make-scene", "brdf"}) {
         std::vector<std::string> arguments;
         if (*command != '\0') {
             arguments.emplace_back(command);

@@ -68,6 +68,14 @@ OUT_OF_LINE bool bsdf_library_is_specular(BsdfParams m) {
     return false;
 }
 
+// Parameters with what a model derives from them: once when they are set, before everything below.
+BsdfParams bsdf_prepared(BsdfParams m) {
+    if (m.model == MODEL_MICROFACET) {
+        return microfacet_prepared(m);
+    }
+    return m;
+}
+
 // f |cos_i| and the density of wi.
 BsdfValue bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     switch (m.model) {

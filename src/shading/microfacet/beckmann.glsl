@@ -3,6 +3,7 @@
 #ifndef GP_SHADING_MICROFACET_BECKMANN_GLSL
 #define GP_SHADING_MICROFACET_BECKMANN_GLSL
 #include "shading/constants.glsl"
+#include "shading/special.glsl"
 
 #define INV_SQRT_PI 0.564189583547756286948f
 
@@ -103,6 +104,14 @@ float beckmann_vndf_pdf(vec3 wo, vec3 wm, float alpha_x, float alpha_y) {
     float visible = max(dot(wo, wm), 0.0f);
     return beckmann_g1(wo, alpha_x, alpha_y) * visible * beckmann_d(wm, alpha_x, alpha_y)
          / max(abs(wo.z), 1.0e-20f);
+}
+
+// A normal with the density D cos, whoever sees it. [Walter et al. 2007, EGSR, equations 28 and 29;
+// anisotropic: the disk of slopes is stretched to an ellipse]
+vec3 beckmann_sample_d(vec2 u, float alpha_x, float alpha_y) {
+    float r = sqrt(-log1p_accurate(-u.x));
+    float phi = TWO_PI * u.y;
+    return normalize(vec3(alpha_x * r * cos(phi), alpha_y * r * sin(phi), 1.0f));
 }
 
 // The slope along the view of the facets that a direction of the given cotangent sees, alpha = 1:

@@ -1,5 +1,5 @@
 // Any distribution of normals by its number: D, normals to sample with their density, and Smith's
-// Lambda. Those that are only known isotropic become anisotropic by stretching their surface, which
+// Lambda (of which some have no closed form: smith_fit.glsl). Those that are only known isotropic become anisotropic by stretching their surface, which
 // is exact for D and for Lambda alike: the isotropic surface of the width sqrt(alpha_x alpha_y) is
 // made wider along one axis and narrower along the other. [Heitz 2014, JCGT 3(2), section 5.3]
 #ifndef GP_SHADING_MICROFACET_DISTRIBUTION_GLSL
@@ -12,7 +12,7 @@
 #include "shading/microfacet/gtr.glsl"
 #include "shading/microfacet/masking.glsl"
 #include "shading/microfacet/shifted_gamma.glsl"
-#include "shading/microfacet/tabulated_lambda.glsl"
+#include "shading/microfacet/smith_fit.glsl"
 
 // The order of the names in parameters.def.
 #define DISTRIBUTION_GGX 0u
@@ -29,12 +29,12 @@ struct Distribution {
     uint kind;
     float alpha_x;
     float alpha_y;
-    float shape;  // gamma of GTR, p of exponential power and shifted gamma, c of ABC
+    float shape;   // gamma of GTR, p of exponential power and shifted gamma, c of ABC
+    SmithFit fit;  // for Lambda, by smith_fit_of; distribution_needs_fit says who needs it
 };
 
-// GGX and Beckmann have anisotropic forms of their own, and visible normals.
-bool distribution_has_visible_normals(IN(Distribution) d) {
-    return d.kind == DISTRIBUTION_GGX || d.kind == DISTRIBUTION_BECKMANN;
+bool distribution_needs_fit(uint kind) {
+    return kind >= DISTRIBUTION_GTR && kind != DISTRIBUTION_EXPONENTIAL_POWER;
 }
 
 float distribution_mean_alpha(IN(Distribution) d) {
@@ -56,16 +56,13 @@ float isotropic_d(IN(Distribution) d, vec3 wm, float alpha) {
 
 float isotropic_lambda(IN(Distribution) d, vec3 w, float alpha) {
     switch (d.kind) {
-    case DISTRIBUTION_GTR: return gtr_lambda(w, alpha, d.shape);
-    case DISTRIBUTION_BERRY: return gtr_lambda(w, alpha, 1.0f);
-    case DISTRIBUTION_BLINN_PHONG: return blinn_phong_lambda(w, alpha);
-    case DISTRIBUTION_EXPONENTIAL_POWER: return exponential_power_lambda(w, alpha, d.shape);
-    case DISTRIBUTION_SHIFTED_GAMMA: return shifted_gamma_lambda(w, alpha, d.shape);
-    case DISTRIBUTION_ABC: return abc_lambda(w, alpha, d.shape);
+    case DISTRIBUTION_GGX: return ggx_lambda(w, alpha, alpha);
+    case DISTRIBUTION_BECKMANN: return beckmann_lambda(w, alpha, alpha);
+    case DISTRIBUTION_EXPONENTIAL_POWER:
+        return smith_fit_lambda(exponential_power_fit(alpha, d.shape), w);
     default: break;
     }
-    return d.kind == DISTRIBUTION_GGX ? ggx_lambda(w, alpha, alpha)
-                                      : beckmann_lambda(w, alpha, alpha);
+    return smith_fit_lambda(d.fit, w);
 }
 
 // sin^2 and cos^2 of a normal; tan^2 from 0 to infinity becomes both without a difference.

@@ -10,7 +10,8 @@ float angle_to_normal(vec3 wm) {
     return atan(sqrt(wm.x * wm.x + wm.y * wm.y), wm.z);
 }
 
-// 1 at the normal; c is the angle at which it is 1 / e. [Blinn 1977, SIGGRAPH, "Models of Light Reflection"]
+// 1 at the normal; c is the angle at which it is 1 / e.
+// [Blinn 1977, SIGGRAPH, "Models of Light Reflection for Computer Synthesized Pictures"]
 float gaussian_angle_d(vec3 wm, float c) {
     float x = angle_to_normal(wm) / c;
     return exp(-x * x);

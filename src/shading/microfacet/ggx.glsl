@@ -23,11 +23,12 @@ float ggx_stretched(vec3 w, float alpha_x, float alpha_y) {
 }
 
 // [Heitz 2014, JCGT 3(2), equations 72 and 86], in the form that does not cancel for small alpha
+// and does not overflow at the horizon
 float ggx_lambda(vec3 w, float alpha_x, float alpha_y) {
     float x = alpha_x * w.x;
     float y = alpha_y * w.y;
-    float t = (x * x + y * y) / (w.z * w.z);
-    return 0.5f * t / (1.0f + sqrt(1.0f + t));
+    float z = abs(w.z);
+    return 0.5f * (x * x + y * y) / (z * (z + ggx_stretched(w, alpha_x, alpha_y)));
 }
 
 // The visible share of the microfacets that face w. [Heitz 2014, equation 43]

@@ -53,4 +53,12 @@ float gtr_sample_sin2(float alpha, float gamma, float u) {
     return clamp(place * expm1_over(place * l) / expm1_over(l), 0.0f, 1.0f);
 }
 
+// That normal. From the sine: 1 - cos of a narrow lobe has no digits.
+vec3 gtr_sample(float alpha, float gamma, vec2 u) {
+    float sin2 = gtr_sample_sin2(alpha, gamma, u.x);
+    float sin_theta = sqrt(sin2);
+    float phi = TWO_PI * u.y;
+    return vec3(sin_theta * cos(phi), sin_theta * sin(phi), sqrt(1.0f - sin2));
+}
+
 #endif

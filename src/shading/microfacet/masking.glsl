@@ -41,7 +41,7 @@ float masking_ashikhmin_premoze(float o, float i) {
     return o * i / (o + i - o * i);
 }
 
-// [Kurt, Szirmay-Kalos, Krivanek 2010, Computer Graphics Forum 29(2)]
+// [Kurt, Szirmay-Kalos, Krivanek 2010, ACM SIGGRAPH Computer Graphics 44(1)]
 float masking_kurt(float o, float i, float oh, float exponent) {
     return pow(o * i, 1.0f - exponent) / oh;
 }

@@ -64,8 +64,8 @@ vec2 nano_spectrum_sample(float b, float c, vec2 u) {
 
 // The length of a spectrum that stands for this one after microfacets have blurred it: of
 // exponential power slopes with the width beta and the power p, each of which turns wo + wi by
-// twice its slope. Its peak is that of the convolution (error 0.005), and it is normalised again; at
-// half of the peak it is off by up to 0.35, further out it has the spectrum's own exponent. The
+// twice its slope. Its peak is that of the convolution (error 0.005), and it is normalised again;
+// at half of the peak it is off by up to 0.35, further out it has the spectrum's own exponent. The
 // paper has tables for this that are not ours to use. The peak is the mean of the spectrum at the
 // slopes, a sum over their logarithm.
 float nano_blurred_length(float b, float c, float beta, float p) {

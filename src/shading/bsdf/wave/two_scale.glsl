@@ -29,6 +29,7 @@ Distribution two_scale_facets(IN(BsdfParams) m) {
     d.alpha_x = two_scale_beta(m);
     d.alpha_y = d.alpha_x;
     d.shape = two_scale_power(m);
+    d.fit = smith_fit_none();  // this distribution has its Lambda in closed terms
     return d;
 }
 
