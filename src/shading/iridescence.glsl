@@ -15,7 +15,7 @@ vec3 rec709_from_xyz_gltf(vec3 c) {
 // The Fourier transform of the eye's sensitivity, a sum of Gaussians, at an optical path
 // difference in nanometres and a phase shift per channel.
 // [Belcour and Barla 2017, ACM TOG 36(4), section 4 and supplemental code]
-vec3 iridescence_sensitivity(float opd_nm, vec3 shift) {
+vec3 iridescence_sensitivity_xyz(float opd_nm, vec3 shift) {
     float phase = TWO_PI * opd_nm * 1.0e-9f;
     vec3 position = vec3(1.6810e6f, 1.7953e6f, 2.2084e6f);
     vec3 variance = vec3(4.3278e9f, 9.3046e9f, 6.6121e9f);
@@ -23,7 +23,11 @@ vec3 iridescence_sensitivity(float opd_nm, vec3 shift) {
     vec3 height = vec3(0.846590f, 1.000222f, 1.001122f);
     vec3 xyz = height * cos(position * phase + shift) * exp(-phase * phase * variance);
     xyz.x += 0.153868f * cos(2.2399e6f * phase + shift.x) * exp(-4.5282e9f * phase * phase);
-    return rec709_from_xyz_gltf(xyz);
+    return xyz;
+}
+
+vec3 iridescence_sensitivity(float opd_nm, vec3 shift) {
+    return rec709_from_xyz_gltf(iridescence_sensitivity_xyz(opd_nm, shift));
 }
 
 // 0 where light enters the denser medium, pi otherwise.
