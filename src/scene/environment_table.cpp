@@ -136,7 +136,8 @@ std::shared_ptr<const EnvironmentTable> makeEnvironmentTable(const float* rgba, 
         double row = 0;
         for (uint32_t x = 0; x < width; ++x) row += double(luminance[size_t(y) * width + x]);
         // The share of the sphere that a row of pixels covers.
-        const double share = 0.5 * (std::cos(M_PI * y / height) - std::cos(M_PI * (y + 1) / height));
+        const double share =
+            0.5 * (std::cos(M_PI * y / height) - std::cos(M_PI * (y + 1) / height));
         table->meanLuminance += row / width * share;
     }
     if (!(table->meanLuminance > 0)) return table;
