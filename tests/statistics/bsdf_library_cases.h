@@ -121,8 +121,15 @@ const LibraryCase libraryCases[] = {
     {"kajiya_kay", "wide", "roughness=0.1 falloff=0.2 fibre=along_x"},
     {"kajiya_kay", "thin", "roughness=0.001"},
     {"kajiya_kay", "altered", "roughness=0.1 even_power=true light_twice=true"},
+    {"disney_bsdf", "glass", "spec_trans=1 roughness=0.3 base_color=1", BSDF_CONSERVING},
+    {"disney_bsdf", "half_glass", "spec_trans=0.6 roughness=0.5 anisotropic=0.7 metallic=0.2 "
+     "clearcoat=0.7 clearcoat_gloss=0.3 ior=1.8 sheen=0.5"},
+    {"disney_bsdf", "metal", "metallic=1 roughness=0.4", BSDF_CONSERVING},
+    {"disney_bsdf", "sheet", "thin=true spec_trans=0.7 roughness=0.5 ior=1.5 diff_trans=0.8"},
+    {"disney_bsdf", "leaf", "thin=true diff_trans=1.4 flatness=1 roughness=0.7"},
     {"formula", "nothing", "distribution=none masking=none divisor=one base_color=0.3"},
-    {"formula", "blinn", "distribution=gaussian fresnel=dielectric masking=v_cavity divisor=viewer"},
+    {"formula", "blinn",
+     "distribution=gaussian fresnel=dielectric masking=v_cavity divisor=viewer"},
 };
 
 }  // namespace
