@@ -1,6 +1,7 @@
 // Masking and shadowing by names of the literature: what they do to a microfacet of which the
-// cosines, or Smith's Lambdas, are known. `o` to the viewer and `i` to the light with the surface's normal, `h` of the half vector, `oh` between it and the viewer (or
-// the light). All enter as D F G / (4 o i) and may be larger than 1 where the model has it so.
+// cosines, or Smith's Lambdas, are known. `o` to the viewer and `i` to the light with the surface's
+// normal, `h` of the half vector, `oh` between it and the viewer (or the light). All enter as
+// D F G / (4 o i) and may be larger than 1 where the model has it so.
 #ifndef GP_SHADING_MICROFACET_MASKING_GLSL
 #define GP_SHADING_MICROFACET_MASKING_GLSL
 #include "shading/constants.glsl"
