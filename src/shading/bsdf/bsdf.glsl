@@ -73,6 +73,9 @@ BsdfParams bsdf_prepared(BsdfParams m) {
     if (m.model == MODEL_MICROFACET) {
         return microfacet_prepared(m);
     }
+    if (m.model == MODEL_KULLA_CONTY) {
+        return kulla_conty_prepared(m);
+    }
     return m;
 }
 

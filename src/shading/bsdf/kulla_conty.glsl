@@ -8,6 +8,27 @@
 #include "shading/microfacet/multiple_scattering.glsl"
 #include "shading/bsdf/ggx_lobe.glsl"
 
+ScatteringLoss kulla_conty_losses(IN(BsdfParams) m) {
+    ScatteringLoss l;
+    l.surface = kulla_conty_mirror(m);
+    l.alpha = m.alpha_x;
+    l.average = m.slot_a.z;
+    l.low = m.slot_b;
+    l.middle = m.slot_c;
+    l.high = m.slot_d;
+    return l;
+}
+
+// With the losses, which the other functions read; again after each change of mirror or width.
+BsdfParams kulla_conty_prepared(BsdfParams m) {
+    ScatteringLoss l = scattering_loss_of(kulla_conty_mirror(m), m.alpha_x);
+    m.slot_a.z = l.average;
+    m.slot_b = l.low;
+    m.slot_c = l.middle;
+    m.slot_d = l.high;
+    return m;
+}
+
 bool rough_mirror_is_beckmann(uint surface) {
     return surface >= ROUGH_MIRROR_BECKMANN_SEPARABLE;
 }
@@ -51,12 +72,12 @@ BsdfValue kulla_conty_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     if (!kulla_conty_multiple(m)) {
         return v;
     }
-    float loss_o = single_scattering_loss(surface, wo.z, m.alpha_x);
-    float loss_i = single_scattering_loss(surface, wi.z, m.alpha_x);
-    float average = single_scattering_loss_average(surface, m.alpha_x);
+    ScatteringLoss losses = kulla_conty_losses(m);
+    float loss_o = scattering_loss(losses, wo.z);
+    float loss_i = scattering_loss(losses, wi.z);
     vec3 f_average = fresnel_schlick_average(m.base_color, vec3(1.0f));
-    v.f_cos += multiple_scattering_color(f_average, average)
-             * (multiple_scattering(loss_o, loss_i, average) * wi.z);
+    v.f_cos += multiple_scattering_color(f_average, losses.average)
+             * (multiple_scattering(loss_o, loss_i, losses.average) * wi.z);
     float wide = kulla_conty_wide_share(m, loss_o);
     v.pdf = mix(v.pdf, cosine_hemisphere_pdf(wi), wide);
     return v;
@@ -67,7 +88,7 @@ BsdfSample kulla_conty_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
         return bsdf_no_sample();
     }
     uint surface = kulla_conty_mirror(m);
-    float loss_o = single_scattering_loss(surface, wo.z, m.alpha_x);
+    float loss_o = scattering_loss(kulla_conty_losses(m), wo.z);
     if (u_lobe < kulla_conty_wide_share(m, loss_o)) {
         vec3 wi = square_to_cosine_hemisphere(u);
         return bsdf_sample_of(wi, kulla_conty_eval(m, wo, wi), LOBE_DIFFUSE);
@@ -83,11 +104,10 @@ vec3 kulla_conty_albedo(IN(BsdfParams) m, float cos_o) {
     if (cos_o <= 0.0f) {
         return vec3(0.0f);
     }
-    uint surface = kulla_conty_mirror(m);
-    float loss = single_scattering_loss(surface, cos_o, m.alpha_x);
+    ScatteringLoss losses = kulla_conty_losses(m);
+    float loss = scattering_loss(losses, cos_o);
     vec3 f_average = fresnel_schlick_average(m.base_color, vec3(1.0f));
-    vec3 wide = multiple_scattering_color(f_average,
-                                          single_scattering_loss_average(surface, m.alpha_x));
+    vec3 wide = multiple_scattering_color(f_average, losses.average);
     // Schlick's term where most light meets the microfacets: at their own angles for a rough
     // surface, at the view's for a smooth one.
     vec3 one = mix(fresnel_schlick(m.base_color, vec3(1.0f), cos_o), f_average, loss);

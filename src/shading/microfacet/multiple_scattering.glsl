@@ -8,7 +8,7 @@
 // can never exceed F^2; with F_avg once it does (tests/statistics/multiple_scattering_test.cpp).
 //
 // `surface` is ROUGH_MIRROR_…, a distribution with its masking. Off means not called: nothing else
-// in the library knows of these tables.
+// in the library knows of these tables, which are read when a material is made.
 #ifndef GP_SHADING_MICROFACET_MULTIPLE_SCATTERING_GLSL
 #define GP_SHADING_MICROFACET_MULTIPLE_SCATTERING_GLSL
 #include "shading/constants.glsl"
@@ -67,6 +67,55 @@ float single_scattering_loss_average(uint surface, float alpha) {
         sum += y.weight[j] * single_scattering_average_entry(surface, y.first + j);
     }
     return clamp(a * sum, 0.0f, 1.0f);
+}
+
+// The losses of one surface, made once a material from the tables: Chebyshev coefficients over
+// albedo_column, which add an error below 3e-4. Evaluation thus needs no table, whose constants
+// some GLSL compilers copy for every read (llvmpipe takes minutes over them).
+struct ScatteringLoss {
+    uint surface;
+    float alpha;
+    float average;  // 1 - E_avg
+    vec4 low;       // coefficients 0 to 3, 4 to 7, 8 to 11
+    vec4 middle;
+    vec4 high;
+};
+
+ScatteringLoss scattering_loss_of(uint surface, float alpha) {
+    ScatteringLoss l;
+    l.surface = surface;
+    l.alpha = clamp(alpha, 1.0e-4f, 1.0f);
+    l.average = single_scattering_loss_average(surface, alpha);
+    l.low = vec4(0.0f);
+    l.middle = vec4(0.0f);
+    l.high = vec4(0.0f);
+    bool root = surface == ROUGH_MIRROR_GGX_CORRELATED;
+    for (int k = 0; k < 12; ++k) {
+        float angle = PI / 12.0f * (float(k) + 0.5f);
+        float cos_k = albedo_column_cosine(0.5f + 0.5f * cos(angle), l.alpha, root);
+        float value = single_scattering_loss(surface, cos_k, l.alpha) / 6.0f;
+        for (int j = 0; j < 4; ++j) {
+            l.low[j] += (j == 0 ? 0.5f : 1.0f) * value * cos(float(j) * angle);
+            l.middle[j] += value * cos(float(j + 4) * angle);
+            l.high[j] += value * cos(float(j + 8) * angle);
+        }
+    }
+    return l;
+}
+
+// 1 - E at an angle. [Press et al. 2007, "Numerical Recipes", section 5.8, Clenshaw's recurrence]
+float scattering_loss(IN(ScatteringLoss) l, float cos_o) {
+    bool root = l.surface == ROUGH_MIRROR_GGX_CORRELATED;
+    float t = 4.0f * albedo_column(clamp(cos_o, 0.0f, 1.0f), l.alpha, root) - 2.0f;
+    float next = 0.0f;
+    float here = 0.0f;
+    for (int j = 11; j > 0; --j) {
+        float c = j < 4 ? l.low[j] : j < 8 ? l.middle[j - 4] : l.high[j - 8];
+        float value = t * here - next + c;
+        next = here;
+        here = value;
+    }
+    return clamp(0.5f * t * here - next + l.low.x, 0.0f, 1.0f);
 }
 
 // The lobe f_ms from the losses towards wo and wi and their average; its integral with cos_i is
