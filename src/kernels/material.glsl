@@ -110,14 +110,15 @@ Frame face_viewer(IN(Surface) s, Frame frame, vec3 wo, bool keep) {
 }
 
 // Only what a plain-diffuse picture needs.
-ShadingPoint diffuse_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base) {
+ShadingPoint diffuse_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base,
+                           vec3 emission) {
     ShadingPoint p;
     p.bsdf = bsdf_default();
     p.bsdf.model = MODEL_LAMBERT;
     p.bsdf.base_color = base;
     p.frame = face_viewer(s, s.frame, wo, false);
     p.attenuation = vec3(0.0f);
-    p.emission = vec3(0.0f);
+    p.emission = emission;
     p.flags = m.flags & ~(MATERIAL_TRANSMISSIVE | MATERIAL_SOLID);
     return p;
 }
@@ -144,16 +145,10 @@ vec3 read_base_color(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     return base;
 }
 
-ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, float u_lod,
-                                bool diffuse) {
-    vec3 base = read_base_color(m, s, u_lod);
-    vec3 emission = vec3(0.0f);
-    if ((m.flags & MATERIAL_EMISSIVE) != 0u) { emission = read_emission(m, s, u_lod); }
-    if (diffuse) {
-        ShadingPoint d = diffuse_point(m, s, wo, base);
-        d.emission = emission;
-        return d;
-    }
+// Everything that a material has. One variable is filled, field by field, and returned: a copy of
+// BsdfParams would move the slots of the library's models as well, which are not set here.
+ShadingPoint full_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base, vec3 emission,
+                        float u_lod) {
     float metallic = m.metallic;
     float roughness = m.roughness;
     if ((m.textures & SLOT_METALLIC_ROUGHNESS) != 0u) {
@@ -162,25 +157,27 @@ ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, fl
         metallic *= texel.z;
     }
     ShadingPoint p;
-    BsdfParams b = bsdf_default();
     // Without reflection at its surface the material is its diffuse base alone.
     bool matte = (m.flags & MATERIAL_MATTE) != 0u;
-    b.model = matte ? MODEL_LAMBERT : m.model;
-    b.base_color = base;
-    b.metallic = metallic;
-    b.alpha_x = alpha_from_roughness(roughness);
-    b.alpha_y = b.alpha_x;
-    b.ior = m.ior;
-    b.specular = m.specular;
-    b.specular_color = m.specular_color;
-    b.coat = m.coat;
-    b.sheen_color = m.sheen_color;
-    b.transmission = m.transmission;
-    b.thin = (m.flags & MATERIAL_SOLID) != 0u ? 0u : 1u;
-    b.iridescence = m.iridescence;
-    b.iridescence_ior = m.iridescence_ior;
-    if ((m.flags & MATERIAL_LAYERED) != 0u) { b = read_layers(b, m, s, u_lod); }
-    p.bsdf = b;
+    p.bsdf.model = matte ? MODEL_LAMBERT : m.model;
+    p.bsdf.base_color = base;
+    p.bsdf.metallic = metallic;
+    p.bsdf.alpha_x = alpha_from_roughness(roughness);
+    p.bsdf.alpha_y = p.bsdf.alpha_x;
+    p.bsdf.ior = m.ior;
+    p.bsdf.specular = m.specular;
+    p.bsdf.specular_color = m.specular_color;
+    p.bsdf.coat = m.coat;
+    p.bsdf.coat_alpha = BSDF_MIN_ALPHA;
+    p.bsdf.coat_normal = vec3(0.0f, 0.0f, 1.0f);
+    p.bsdf.sheen_color = m.sheen_color;
+    p.bsdf.sheen_alpha = BSDF_MIN_ALPHA;
+    p.bsdf.transmission = m.transmission;
+    p.bsdf.thin = (m.flags & MATERIAL_SOLID) != 0u ? 0u : 1u;
+    p.bsdf.iridescence = m.iridescence;
+    p.bsdf.iridescence_ior = m.iridescence_ior;
+    p.bsdf.iridescence_thickness_nm = 400.0f;  // of no effect without a film, which is a layer
+    if ((m.flags & MATERIAL_LAYERED) != 0u) { p.bsdf = read_layers(p.bsdf, m, s, u_lod); }
     p.frame = s.frame;
     p.emission = emission;
     p.attenuation = m.attenuation;
@@ -204,6 +201,15 @@ ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, fl
         p.bsdf.coat_normal = local_from_world(p.frame, c);
     }
     return p;
+}
+
+ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, float u_lod,
+                                bool diffuse) {
+    vec3 base = read_base_color(m, s, u_lod);
+    vec3 emission = vec3(0.0f);
+    if ((m.flags & MATERIAL_EMISSIVE) != 0u) { emission = read_emission(m, s, u_lod); }
+    if (diffuse) { return diffuse_point(m, s, wo, base, emission); }
+    return full_point(m, s, wo, base, emission, u_lod);
 }
 
 #endif

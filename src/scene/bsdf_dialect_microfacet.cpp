@@ -131,7 +131,8 @@ BsdfWords rewriteCompare(const BsdfWords& words) {
     // What is not mentioned keeps the peer's default: Trowbridge-Reitz and Schlick.
     const bool ggx = by["useTrowbridgeReitzD"].empty() || on("useTrowbridgeReitzD");
     ours.emplace_back("distribution", on("useBeckmannD") ? "beckmann" : ggx ? "ggx" : "none");
-    ours.emplace_back("fresnel", by["useSchlickF"].empty() || on("useSchlickF") ? "schlick" : "none");
+    const bool schlick = by["useSchlickF"].empty() || on("useSchlickF");
+    ours.emplace_back("fresnel", schlick ? "schlick" : "none");
     for (const CompareMasking& m : compareMaskings) {
         if (!on(m.theirs)) continue;
         ours.emplace_back("masking", m.ours);
@@ -196,7 +197,8 @@ std::vector<DialectModel> wholeModels() {
          "divisor=cosines",
          {{"n", "width", inverse}, {"ior", "ior"}, {"include_Fresnel", "fresnel", fresnelOfSwitch},
           {"divide_by_NdotL", "divisor", blinnDivisor}}},
-        {wdas, "edwards06", "halfway_disk", "even_power=true", {{"n", "exponent"}, {"R", "radius"}}},
+        {wdas, "edwards06", "halfway_disk", "even_power=true",
+         {{"n", "exponent"}, {"R", "radius"}}},
         {wdas, "dAniso", "kajiya_kay", "even_power=true",
          {{"roughness", "roughness"}, {"clampLights", "falloff"}, {"falloff", "falloff"},
           {"orient", "fibre"}, {"kajiya", "light_twice"}}, rewriteFibres},

@@ -91,6 +91,7 @@ public:
         // Where the model does not conserve energy as such, the case does with its own colors.
         c.white = (row.flags & BSDF_CONSERVING) != 0u;
         c.params = bsdfParamsFrom(settings);
+        c.solid = row.number == MODEL_DISNEY_BSDF && c.params.thin == 0u;
         cases_.push_back(c);
         return cases_.back();
     }

@@ -20,6 +20,11 @@ float kajiya_kay_cosine2(IN(BsdfParams) m, vec3 w) {
     return max(across * across + w.z * w.z, 1.0e-20f);
 }
 
+// That angle; by the tangent, since some compilers' asin is off by 1e-4.
+float kajiya_kay_angle(IN(BsdfParams) m, vec3 w) {
+    return atan(kajiya_kay_sine(m, w), sqrt(kajiya_kay_cosine2(m, w)));
+}
+
 // cos(theta_o + theta_i)^(1 / roughness), 0 from 90 degrees on.
 // [Kajiya and Kay 1989, SIGGRAPH, "Rendering Fur with Three Dimensional Textures"]
 float kajiya_kay_lobe(float sin_o, float sin_i, float roughness, bool even_power) {
@@ -36,7 +41,7 @@ float kajiya_kay_fade(float cos_i, float falloff) {
     if (falloff <= 0.0f) {
         return 1.0f;
     }
-    float elevation = asin(clamp(cos_i, 0.0f, 1.0f));
+    float elevation = atan(cos_i, sqrt(max((1.0f - cos_i) * (1.0f + cos_i), 0.0f)));
     float t = clamp(elevation / (falloff * HALF_PI), 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }
@@ -61,12 +66,11 @@ float kajiya_kay_pdf(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     if (kajiya_kay_is_altered(m)) {
         return cosine_hemisphere_pdf(wi);
     }
-    float sin_i = clamp(kajiya_kay_sine(m, wi), -1.0f, 1.0f);
-    float theta_o = asin(clamp(kajiya_kay_sine(m, wo), -1.0f, 1.0f));
+    float theta_o = kajiya_kay_angle(m, wo);
     float scale = kajiya_kay_scale(kajiya_kay_roughness(m));
     float first = kajiya_kay_share_below(theta_o - HALF_PI, scale);
     float last = kajiya_kay_share_below(theta_o + HALF_PI, scale);
-    float below = kajiya_kay_share_below(theta_o + asin(sin_i), scale);
+    float below = kajiya_kay_share_below(theta_o + kajiya_kay_angle(m, wi), scale);
     float logistic = below * (1.0f - below) / (scale * max(last - first, 1.0e-20f));
     return logistic * 0.5f * wi.z / kajiya_kay_cosine2(m, wi);
 }
@@ -95,7 +99,7 @@ BsdfSample kajiya_kay_sample(IN(BsdfParams) m, vec3 wo, float, vec2 u) {
         vec3 any = square_to_cosine_hemisphere(u);
         return bsdf_sample_of(any, kajiya_kay_eval(m, wo, any), LOBE_GLOSSY);
     }
-    float theta_o = asin(clamp(kajiya_kay_sine(m, wo), -1.0f, 1.0f));
+    float theta_o = kajiya_kay_angle(m, wo);
     float scale = kajiya_kay_scale(kajiya_kay_roughness(m));
     float first = kajiya_kay_share_below(theta_o - HALF_PI, scale);
     float last = kajiya_kay_share_below(theta_o + HALF_PI, scale);

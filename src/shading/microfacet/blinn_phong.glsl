@@ -4,6 +4,7 @@
 #define GP_SHADING_MICROFACET_BLINN_PHONG_GLSL
 #include "shading/constants.glsl"
 #include "shading/special.glsl"
+#include "shading/sampling/cosine_power.glsl"
 
 // [Walter et al. 2007, EGSR, "Phong distribution"]
 float blinn_phong_exponent(float alpha) {
@@ -14,15 +15,9 @@ float blinn_phong_alpha(float exponent) {
     return sqrt(2.0f / (exponent + 2.0f));
 }
 
-// (n + 2) / (2 pi) cos^n; the power of the cosine from the sine, since near the normal the cosine
-// has no digits left. [Walter et al. 2007, EGSR, "Phong distribution"]
+// (n + 2) / (2 pi) cos^n. [Walter et al. 2007, EGSR, "Phong distribution"]
 float blinn_phong_d(vec3 wm, float alpha) {
-    if (wm.z <= 0.0f) {
-        return 0.0f;
-    }
-    float sin2 = min(wm.x * wm.x + wm.y * wm.y, 0.99999994f);
-    float log_cos = sin2 < 0.5f ? 0.5f * log1p_accurate(-sin2) : log(wm.z);
-    return INV_PI / (alpha * alpha) * exp(blinn_phong_exponent(alpha) * log_cos);
+    return INV_PI / (alpha * alpha) * height_power(wm, blinn_phong_exponent(alpha));
 }
 
 // [Walter et al. 2007, EGSR, "Phong distribution"]

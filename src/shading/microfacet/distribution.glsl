@@ -1,5 +1,7 @@
 // Any distribution of normals by its number: D, normals to sample with their density, and Smith's
-// Lambda (of which some have no closed form: smith_fit.glsl). Those that are only known isotropic become anisotropic by stretching their surface, which
+// Lambda (some have no closed form of it: smith_fit.glsl).
+//
+// Those that are only known isotropic become anisotropic by stretching their surface, which
 // is exact for D and for Lambda alike: the isotropic surface of the width sqrt(alpha_x alpha_y) is
 // made wider along one axis and narrower along the other. [Heitz 2014, JCGT 3(2), section 5.3]
 #ifndef GP_SHADING_MICROFACET_DISTRIBUTION_GLSL

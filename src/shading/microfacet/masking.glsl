@@ -1,12 +1,13 @@
 // Masking and shadowing by names of the literature: what they do to a microfacet of which the
-// cosines are known, and Smith's Lambda where it has no closed form. `o` to the viewer and `i` to
-// the light with the surface's normal, `h` of the half vector, `oh` between it and the viewer (or
-// the light). All enter as D F G / (4 o i) and may be larger than 1 where the model has it so.
+// cosines, or Smith's Lambdas, are known. `o` to the viewer and `i` to the light with the surface's
+// normal, `h` of the half vector, `oh` between it and the viewer (or the light). All enter as
+// D F G / (4 o i) and may be larger than 1 where the model has it so.
 #ifndef GP_SHADING_MICROFACET_MASKING_GLSL
 #define GP_SHADING_MICROFACET_MASKING_GLSL
 #include "shading/constants.glsl"
 
-// Nothing but what the denominator takes away again. [Hoffman 2013, SIGGRAPH course, "Background: Physics and Math of Shading"]
+// Nothing but what the denominator takes away again.
+// [Hoffman 2013, SIGGRAPH course, "Background: Physics and Math of Shading"]
 float masking_implicit(float o, float i) {
     return o * i;
 }
