@@ -12,13 +12,16 @@
 
 namespace gp {
 
-// Throws BsdfError: "unknown model 'phon' (did you mean phong?)", or all names where none is near.
+// Throws BsdfError: "unknown model 'phon' (did you mean phong?)", or where none is near the first
+// names: an error is a line.
 [[noreturn]] inline void throwUnknown(const std::string& what, const std::string& name,
                                       const std::vector<std::string>& names) {
+    constexpr size_t shown = 12;
     const std::string nearest = nearestWord(name, names);
-    const std::string hint = nearest.empty()
-        ? fmt::format("there are: {}", fmt::join(names, ", "))
-        : fmt::format("did you mean {}?", nearest);
+    const auto end = names.size() > shown ? names.begin() + shown : names.end();
+    const std::string hint = !nearest.empty() ? fmt::format("did you mean {}?", nearest)
+        : fmt::format("there are: {}{}", fmt::join(names.begin(), end, ", "),
+                      end == names.end() ? "" : fmt::format(" and {} more", names.end() - end));
     throw BsdfError(fmt::format("unknown {} '{}' ({})", what, name, hint));
 }
 
