@@ -75,8 +75,8 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
     if (!allZero(o.local.ambient, 3)) refuse("local.ambient", "GP_MODE_LOCAL");
 }
 
-// `model`: what o.local.model names, or null.
-LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* model) {
+LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* model,
+                                ShadingMode shading) {
     LocalLighting local;
     local.model = model;
     local.frequency =
@@ -84,7 +84,7 @@ LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* mo
     local.falloff = Falloff(checkEnum(o.local.falloff, 3, "options.local.falloff"));
     checkNotNegative(o.local.ambient, 3, "options.local.ambient");
     local.ambient = vec3From(o.local.ambient);
-    if (model && o.shading == GP_SHADING_DIFFUSE)
+    if (model && shading == ShadingMode::diffuse)
         fail(GP_ERROR_INVALID_ARGUMENT,
              "options.local.model replaces all materials, as GP_SHADING_DIFFUSE does: not both");
     return local;
@@ -192,11 +192,11 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     checkMode(frame, options);
     FramePlan plan = planFrom(options);
     plan.mode = frame.mode;
-    // Held by the handle's table and by this pointer until the picture is there.
-    std::shared_ptr<BsdfObject> model;
+    std::shared_ptr<BsdfObject> model;  // lives until the picture is there
     if (options.local.model)
         model = resolve(*frame.device, options.local.model, "options.local.model");
-    plan.local = localLightingFrom(options, model ? model->settings.get() : nullptr);
+    plan.local =
+        localLightingFrom(options, model ? model->settings.get() : nullptr, plan.shading);
     plan.width = frame.images.width;
     plan.height = frame.images.height;
     plan.camera = chooseCamera(scene->scene, camera, frame.images);
