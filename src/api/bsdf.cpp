@@ -164,7 +164,7 @@ GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc) {
     return enter("gpNewBsdf", "device", device, [&](DeviceObject& d) {
         checkPointer(desc, "desc");
         auto object = std::make_shared<BsdfObject>(d);
-        object->settings = std::make_unique<const gp::BsdfSettings>(settingsFrom(*desc));
+        object->settings = std::make_shared<const gp::BsdfSettings>(settingsFrom(*desc));
         return publish<GpBsdf>(object);
     });
 }

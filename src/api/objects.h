@@ -96,7 +96,7 @@ struct FrameObject final : ChildObject {
 
 struct BsdfObject final : ChildObject {
     using ChildObject::ChildObject;
-    std::unique_ptr<const BsdfSettings> settings;
+    std::shared_ptr<const BsdfSettings> settings;
 };
 
 template <class Handle> struct HandleTraits;

@@ -219,6 +219,36 @@ const glm::vec3* BsdfSettings::valueOfRow(uint32_t row) const {
     return nullptr;
 }
 
+bool BsdfModelInfo::hasBaseColor() const {
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [](const BsdfParameterInfo& p) { return p.name == "base_color"; });
+}
+
+std::string whyNotBlended(const BsdfSettings& below, const BsdfSettings& above) {
+    if (below.model != above.model) {
+        return fmt::format("{} cannot be blended over {}: layers are parameters of one model",
+                           above.model->name, below.model->name);
+    }
+    for (std::size_t i = 0; i < below.values.size(); ++i) {
+        const BsdfParameterInfo& p = below.model->parameters[i];
+        const bool steps = p.type == BsdfParameterType::boolean
+                        || p.type == BsdfParameterType::choice;
+        if (steps && below.values[i].x != above.values[i].x) {
+            return fmt::format("{} is {} below and {} above, and has nothing in between", p.name,
+                               bsdfValueText(p, below.values[i]),
+                               bsdfValueText(p, above.values[i]));
+        }
+    }
+    return {};
+}
+
+BsdfSettings blended(const BsdfSettings& below, const BsdfSettings& above, float share) {
+    BsdfSettings result = below;
+    for (std::size_t i = 0; i < result.values.size(); ++i)
+        result.values[i] = glm::mix(below.values[i], above.values[i], share);
+    return result;
+}
+
 std::string bsdfValueText(const BsdfParameterInfo& parameter, const glm::vec3& value) {
     switch (parameter.type) {
     case BsdfParameterType::boolean: return value.x > 0.5f ? "true" : "false";

@@ -42,6 +42,8 @@ struct BsdfModelInfo {
     std::string reference;      // key in docs/references.md
     std::string text;
     std::vector<BsdfParameterInfo> parameters;
+
+    bool hasBaseColor() const;
 };
 
 // In the order of models.def.
@@ -65,6 +67,12 @@ struct BsdfSettings {
     // Of a parameter by its row in parameters.def; null if the model has not got it.
     const glm::vec3* valueOfRow(uint32_t row) const;
 };
+
+// Why one cannot be blended over the other (MaterialLayer), in one line; empty: it can. Numbers and
+// colours have something in between; models and choices have not.
+std::string whyNotBlended(const BsdfSettings& below, const BsdfSettings& above);
+// The parameters in between: share 0 is `below`, 1 is `above`.
+BsdfSettings blended(const BsdfSettings& below, const BsdfSettings& above, float share);
 
 // A value as people write it: what `set` understands.
 std::string bsdfValueText(const BsdfParameterInfo& parameter, const glm::vec3& value);

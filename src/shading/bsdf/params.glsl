@@ -125,9 +125,12 @@ BsdfParams bsdf_fields_of(uint model) {
     return m;
 }
 
-// A model of the library with its defaults.
+// A model of the library with its defaults. One without a width of its own counts as sharp: then
+// no texture is blurred that the viewer might see in it.
 BsdfParams bsdf_params_of(uint model) {
     BsdfParams m = bsdf_fields_of(model);
+    m.alpha_x = BSDF_MIN_ALPHA;
+    m.alpha_y = BSDF_MIN_ALPHA;
     m.slot_a = vec4(0.0f);
     m.slot_b = vec4(0.0f);
     m.slot_c = vec4(0.0f);
