@@ -645,7 +645,7 @@ typedef struct GpBsdfParameter {
 } GpBsdfParameter;
 
 typedef struct GpBsdfDesc {
-    const char* model;                 /* required */
+    const char* model;                 /* required; or the path of a MERL file, FILE.binary */
     GpBsdfDialect dialect;             /* GP_DIALECT_OWN */
     const GpBsdfParameter* parameters; /* those that are not here have their defaults */
     uint32_t parameterCount;
@@ -677,10 +677,12 @@ typedef struct GpBsdfSample {
 GP_API GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed);
 /* NULL on failure. An unknown name or a value that cannot be read is GP_ERROR_INVALID_ARGUMENT; the
  * message names model and parameter, and the nearest known name. A value outside of its range is
- * clamped where the model's literature does not allow it: gpDescribeBsdf tells. */
+ * clamped where the model's literature does not allow it: gpDescribeBsdf tells. A measured file is
+ * read once, here, and kept (17.5 MB); what is wrong with one is GP_ERROR_FILE_INVALID. */
 GP_API GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc);
 GP_API GpError gpReleaseBsdf(GpBsdf bsdf);
-/* Model, values of all parameters and notices (what was clamped) as a JSON text. */
+/* Model, values of all parameters, notices (what was clamped) and, of a measured material, the file
+ * as a JSON text. */
 GP_API GpError gpDescribeBsdf(GpBsdf bsdf, char* text, size_t size, size_t* needed);
 /* `count` values, at most 2^26. wi, to the light, and wo, to the viewer, leave the surface, three
  * floats each, of any length but 0; normal +Z, tangent +X. */

@@ -6,6 +6,7 @@
 #include "api/check.h"
 #include "scene/bsdf_dialect.h"
 #include "scene/bsdf_evaluate.h"
+#include "scene/measured_brdf.h"
 
 namespace gp::api {
 
@@ -52,6 +53,7 @@ Json jsonOf(const BsdfModelInfo& model) {
               {"reciprocal", model.reciprocal},
               {"conserving", model.conserving},
               {"transmissive", model.transmissive},
+              {"fromFile", model.fromFile},
               {"parameters", Json::array()}};
     for (const BsdfParameterInfo& p : model.parameters) j["parameters"].push_back(jsonOf(p));
     return j;
@@ -69,9 +71,10 @@ std::string describe(const BsdfSettings& settings) {
         const BsdfParameterInfo& p = settings.model->parameters[i];
         parameters[p.name] = jsonOf(p, settings.values[i]);
     }
-    const Json all = {{"model", settings.model->name},
-                      {"parameters", parameters},
-                      {"notices", settings.notices}};
+    Json all = {{"model", settings.model->name},
+                {"parameters", parameters},
+                {"notices", settings.notices}};
+    if (settings.measured) all["file"] = settings.measured->name;
     return all.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 

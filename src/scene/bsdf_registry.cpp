@@ -94,6 +94,7 @@ std::vector<BsdfModelInfo> makeModels() {
         info.reciprocal = (flags & BSDF_RECIPROCAL) != 0u;
         info.conserving = (flags & BSDF_CONSERVING) != 0u;
         info.transmissive = (flags & BSDF_TRANSMISSIVE) != 0u;
+        info.fromFile = (flags & BSDF_FROM_FILE) != 0u;
         info.reference = reference;
         info.text = text;
         info.parameters = parametersOf(number);

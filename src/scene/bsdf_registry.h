@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ namespace gp {
 struct BsdfError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+struct MeasuredBrdf;  // scene/measured_brdf.h
 
 enum class BsdfParameterType { number, color, boolean, choice };
 
@@ -35,6 +38,7 @@ struct BsdfModelInfo {
     uint32_t number = 0;
     std::string name;
     bool reciprocal = false, conserving = false, transmissive = false;
+    bool fromFile = false;      // a file's path is its name: as such it is black
     std::string reference;      // key in docs/references.md
     std::string text;
     std::vector<BsdfParameterInfo> parameters;
@@ -53,6 +57,8 @@ struct BsdfSettings {
     const BsdfModelInfo* model = nullptr;
     std::vector<glm::vec3> values;     // beside model->parameters
     std::vector<std::string> notices;  // what was clamped, once for each parameter
+    // The table of a model from a file: it lives as long as any settings that hold it.
+    std::shared_ptr<const MeasuredBrdf> measured;
 
     explicit BsdfSettings(const BsdfModelInfo& info);
     // "20", "0.8,0.5,0.3" or one number for a color, "true" or "1", the name of a choice. Throws
