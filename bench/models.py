@@ -35,6 +35,7 @@ def models(build, quick):
     if not os.path.exists(program):
         say("  left out: bsdf_bench is not built (libbenchmark-dev)")
         return None
+    quiet = machine()
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "bsdf.json")
         run([program, f"--benchmark_min_time={0.02 if quick else 0.1}",
@@ -53,5 +54,6 @@ def models(build, quick):
             terms.setdefault(term, {})[how] = time
     plain = {name.partition("/")[2]: t for name, t in times.items() if name.startswith("plain/")}
     ratio = plain["disney"]["value"] / plain["ggx and lambert"]["value"]
-    return {"machine": machine(), "models": rows, "terms": terms, "plain": plain, "bytes": table_sizes(raw["context"]),
+    return {"machine": quiet, "models": rows, "terms": terms, "plain": plain,
+            "bytes": table_sizes(raw["context"]),
             "disney_against_plain": {"value": ratio, "unit": "times GGX and Lambert"}}
