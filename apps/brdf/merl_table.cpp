@@ -15,9 +15,7 @@ constexpr std::size_t kProbeStep = 997;
 // Rounding gives a narrow lobe differences of a thousandth.
 constexpr double kSame = 0.01;
 
-bool isAbove(const merl::DirectionPair& pair) { return pair.wi.z > 0.0 && pair.wo.z > 0.0; }
-
-merl::DirectionPair reversed(const merl::DirectionPair& pair) { return {pair.wo, pair.wi}; }
+DirectionPair reversed(const DirectionPair& pair) { return {pair.wo, pair.wi}; }
 
 void append(std::vector<float>& list, const glm::dvec3& d) {
     for (int i = 0; i < 3; ++i) {
@@ -30,8 +28,8 @@ void append(std::vector<float>& list, const glm::dvec3& d) {
 MerlTable::MerlTable(GpDevice device, const Bsdf& bsdf) : m_device(device), m_bsdf(bsdf) {
     Pairs at, turned, back;
     for (std::size_t cell = 0; cell < merl::cellCount; cell += kProbeStep) {
-        const merl::DirectionPair pair = merl::directionsOf(cell, 0.0);
-        if (!isAbove(pair)) {
+        const DirectionPair pair = merl::directionsOf(cell, 0.0);
+        if (!pair.aboveHorizon()) {
             continue;
         }
         at.push_back(pair);
@@ -44,7 +42,7 @@ MerlTable::MerlTable(GpDevice device, const Bsdf& bsdf) : m_device(device), m_bs
 
 std::vector<glm::dvec3> MerlTable::evaluate(const Pairs& pairs) const {
     std::vector<float> wi, wo;
-    for (const merl::DirectionPair& pair : pairs) {
+    for (const DirectionPair& pair : pairs) {
         append(wi, pair.wi);
         append(wo, pair.wo);
     }
@@ -72,13 +70,13 @@ double MerlTable::difference(const Pairs& a, const Pairs& b) const {
 
 // What a cell is the mean of: nothing where it is below the horizon.
 void MerlTable::appendPairs(std::size_t cell, Pairs& pairs) const {
-    if (!isAbove(merl::directionsOf(cell, 0.0))) {
+    if (!merl::directionsOf(cell, 0.0).aboveHorizon()) {
         return;
     }
     const std::size_t count = m_anisotropic ? azimuths : 1;
     for (std::size_t k = 0; k < count; ++k) {
         const double turns = static_cast<double>(k) / static_cast<double>(count);
-        const merl::DirectionPair pair = merl::directionsOf(cell, 2.0 * M_PI * turns);
+        const DirectionPair pair = merl::directionsOf(cell, 2.0 * M_PI * turns);
         pairs.push_back(pair);
         if (!m_reciprocal) {
             pairs.push_back(reversed(pair));

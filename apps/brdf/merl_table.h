@@ -26,7 +26,7 @@ public:
     std::string file(const std::function<void(double)>& progress) const;
 
 private:
-    using Pairs = std::vector<merl::DirectionPair>;
+    using Pairs = std::vector<DirectionPair>;
     std::vector<glm::dvec3> evaluate(const Pairs& pairs) const;
     // The sum of differences as a share of the sum.
     double difference(const Pairs& a, const Pairs& b) const;
