@@ -27,7 +27,7 @@ public:
 
 private:
     using Pairs = std::vector<DirectionPair>;
-    std::vector<glm::dvec3> evaluate(const Pairs& pairs) const;
+    std::vector<GpBsdfValue> evaluate(const Pairs& pairs) const;
     // The sum of differences as a share of the sum.
     double difference(const Pairs& a, const Pairs& b) const;
     void appendPairs(std::size_t cell, Pairs& pairs) const;
