@@ -450,7 +450,8 @@ GP_API GpError gpFrameScene(GpScene scene, float aspect, GpCameraDesc* camera);
 
 typedef enum GpFrameMode {
     GP_MODE_REFERENCE = 0, /* unbiased path tracing */
-    GP_MODE_REALTIME = 1   /* not there yet: GP_ERROR_UNSUPPORTED */
+    GP_MODE_REALTIME = 1,  /* not there yet: GP_ERROR_UNSUPPORTED */
+    GP_MODE_LOCAL = 2      /* what a rasteriser shows: see GpLocalLighting */
 } GpFrameMode;
 
 typedef struct GpFrameDesc {
@@ -471,7 +472,8 @@ typedef enum GpFrameImage {
     GP_IMAGE_DEPTH = 4,     /* R32F     distance along the view axis, metres; infinite: nothing */
     GP_IMAGE_EMISSION = 5,  /* RGBA32F  radiance of what the camera sees glow, sky included */
     GP_IMAGE_DIRECT = 6,    /* RGBA32F  light after one bounce */
-    GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT */
+    GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT;
+                                        GP_MODE_LOCAL: DIRECT by lamps, INDIRECT ambient */
     GP_IMAGE_ROUGHNESS = 8, /* RGBA32F  R roughness, G metallic */
     GP_IMAGE_VARIANCE = 9,  /* RGBA32F  variance of the mean in COLOR, as if samples
                                         were independent: an upper bound */
@@ -518,6 +520,36 @@ typedef struct GpProgress {
     double noise;            /* estimated mean absolute error over the mean; < 0: not known */
 } GpProgress;
 
+/* Where GP_MODE_LOCAL computes light. */
+typedef enum GpShadingFrequency {
+    GP_FREQUENCY_PIXEL = 0,   /* Phong shading: the normal is interpolated, light computed for every
+                                 sample; the only one that shows normal maps */
+    GP_FREQUENCY_VERTEX = 1,  /* Gouraud shading: computed for the corners of each triangle, base
+                                 colour included, and interpolated */
+    GP_FREQUENCY_TRIANGLE = 2 /* flat shading: once, for its centroid and geometric normal */
+} GpShadingFrequency;
+
+/* How the light of lamps (not of directional ones) falls off in GP_MODE_LOCAL. At a distance of one
+ * metre all are the same. */
+typedef enum GpFalloff {
+    GP_FALLOFF_INVERSE_SQUARE = 0, /* as light does */
+    GP_FALLOFF_INVERSE = 1,
+    GP_FALLOFF_NONE = 2
+} GpFalloff;
+
+/* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
+ * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
+ * their centre with their whole power, directional lights as if their angularRadius were 0. Surfaces
+ * that glow show it, but light nothing. The environment is the background, and its mean radiance is
+ * added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is added too. */
+typedef struct GpLocalLighting {
+    GpBsdf model;                 /* the reflectance of all surfaces; its base_color, where it has
+                                     one, is multiplied by theirs. NULL = each has its own */
+    GpShadingFrequency frequency; /* GP_FREQUENCY_PIXEL */
+    GpFalloff falloff;            /* GP_FALLOFF_INVERSE_SQUARE */
+    float ambient[3];             /* radiance from all sides, W/(m^2 sr), >= 0; 0 */
+} GpLocalLighting;
+
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
  * render stops with GP_ERROR_CANCELLED and keeps its samples. */
 typedef int (*GpProgressCallback)(void* user, const GpProgress* progress);
@@ -540,6 +572,8 @@ typedef struct GpRenderOptions {
                                   another camera, is GP_ERROR_INVALID_OPERATION */
     GpProgressCallback progress;
     void* progressUser;
+    GpLocalLighting local;     /* for GP_MODE_LOCAL, which in turn has no maxBounces, clamp or
+                                  noRussianRoulette: GP_ERROR_INVALID_ARGUMENT where set */
 } GpRenderOptions;
 
 #define GP_NO_BOUNCES (-1)

@@ -86,6 +86,7 @@ struct LightObject final : ChildObject {
 struct FrameObject final : ChildObject {
     using ChildObject::ChildObject;
     FrameImages images;
+    FrameMode mode = FrameMode::reference;
     bool rendered = false;           // there is something to read
     GpFrameStatistics statistics{};
     // What the samples show, so that accumulating something else is noticed.

@@ -214,4 +214,19 @@ struct FrameConstants {
     uint environment_cells;    // along each side of its sampling table; 0: uniform
 };
 
+// Where GP_MODE_LOCAL computes light: GpShadingFrequency.
+#define FREQUENCY_PIXEL 0u
+#define FREQUENCY_VERTEX 1u
+#define FREQUENCY_TRIANGLE 2u
+
+// How GP_MODE_LOCAL lights what the camera sees: gp::LocalLighting and the scene's constants.
+struct LocalLightingConstants {
+    vec3 ambient;             // radiance from all sides, the mean of the environment included
+    uint frequency;
+    uint falloff;             // FALLOFF_ of shading/light/lamp_point.glsl
+    uint lamps;               // the first lights of the table: all but emissive triangles
+    uint replaces_materials;  // 1: one model is the reflectance of all surfaces
+    uint parallel_view;       // 1: an orthographic camera
+};
+
 #endif

@@ -21,4 +21,5 @@ static_assert(sizeof(LightRecord) == 96 && offsetof(LightRecord, cos_outer) == 8
 static_assert(sizeof(LightTreeNode) == 64);
 static_assert(sizeof(EnvironmentCell) == 8);
 static_assert(sizeof(FrameConstants) == 88 && offsetof(FrameConstants, environment_color) == 48);
+static_assert(sizeof(LocalLightingConstants) == 32);
 }  // namespace gp::shared

@@ -201,6 +201,7 @@ void CpuScene::fillView(const Scene& scene) {
     view_.environmentColor = t && t->black() ? glm::vec3(0) : e.color;
     view_.environmentCos = std::cos(e.rotation), view_.environmentSin = std::sin(e.rotation);
     const float mean = t ? float(t->meanLuminance) : 1.0f;
+    view_.environmentMean = view_.environmentColor * (t ? glm::vec3(t->mean) : glm::vec3(1));
     view_.environmentPower = 3.14159265f * mean * shading::luminance(view_.environmentColor);
     if (t && !t->black())
         view_.environment = {t->texels.data(), t->cells.data(), t->densities.data(), t->width,
