@@ -6,8 +6,8 @@
 
 #include "brdf/brdf.h"
 #include "brdf/merl_table.h"
+#include "brdf/models.h"
 #include "output.h"
-#include "parse.h"
 #include "progress_bar.h"
 #include "reflectance.h"
 #include "tool_error.h"
@@ -15,7 +15,6 @@
 namespace gp::tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kNotes =
@@ -28,9 +27,8 @@ constexpr const char* kNotes =
     "  glitterpath brdf eval metal.binary --wi 0.5,0,1 --wo -0.5,0,1";
 
 struct ExportSettings {
-    std::string model, outputPath;
-    std::vector<std::string> parameterWords;
-    GpBsdfDialect dialect = GP_DIALECT_OWN;
+    ModelOptions models;
+    std::string outputPath;
 };
 
 // A line that people at a terminal see when they have waited for a second.
@@ -58,15 +56,10 @@ private:
 
 void note(const std::string& text) { fmt::print(stderr, "glitterpath: note: {}\n", text); }
 
-void printNotes(GpDevice device, const Json& description, const MerlTable& table) {
-    for (const Json& notice : description.at("notices")) {
-        note(notice.get<std::string>());
-    }
-    const auto name = description.at("model").get<std::string>();
-    for (const Json& model : describeModels(device)) {
-        if (model.at("name") == name && model.at("transmissive").get<bool>()) {
-            note(fmt::format("{}: only what is reflected is kept", name));
-        }
+void printNotes(const Model& model, const MerlTable& table) {
+    const auto name = model.description.at("model").get<std::string>();
+    if (model.transmissive) {
+        note(fmt::format("{}: only what is reflected is kept", name));
     }
     if (table.isAnisotropic()) {
         note(fmt::format("{} is anisotropic: a cell is the mean of {} azimuths", name,
@@ -83,14 +76,10 @@ int runExport(const ExportSettings& settings) {
                                      "known", settings.outputPath));
     }
     checkWritable(settings.outputPath);
-    ParameterWords words;
-    for (const std::string& word : settings.parameterWords) {
-        words.push_back(parseAssignment("--set", word));
-    }
     const Device device = newModelDevice();
-    const Bsdf bsdf = newBsdf(device.get(), settings.model, settings.dialect, words);
-    MerlTable table(device.get(), bsdf);
-    printNotes(device.get(), describeBsdf(device.get(), bsdf), table);
+    const Model model = newModel(device.get(), settings.models);
+    const MerlTable table(device.get(), model.bsdf);
+    printNotes(model, table);
     Percentage percentage;
     writeText(settings.outputPath, table.file([&](double part) { percentage.show(part); }));
     return kExitSuccess;
@@ -101,18 +90,13 @@ int runExport(const ExportSettings& settings) {
 Command addBrdfExport(CLI::App& brdf) {
     CLI::App* app = brdf.add_subcommand("export", "Write a model as a measured MERL file");
     const auto settings = std::make_shared<ExportSettings>();
-    app->add_option("MODEL", settings->model, "A model's name; `glitterpath brdf list` shows them")
-        ->required();
-    app->add_option("--set", settings->parameterWords, "Set parameters; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->expected(1, -1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addModelOptions(*app, settings->models);
     addWord(*app, "-o,--output", "FILE.binary", "Where to write",
             [settings](const std::string& word) { settings->outputPath = word; })->required();
     addWord(*app, "--dialect", "NAME",
             "Whose names of models and parameters: own, wdas (Disney's BRDF Explorer) or bbm",
-            [settings](const std::string& word) { settings->dialect = parseDialect(word); });
-    app->footer(kNotes);
+            [settings](const std::string& word) { settings->models.dialect = parseDialect(word); });
+    app->footer(std::string(kModelSyntax) + "\n\n" + kNotes);
     return {app, [settings] { return runExport(*settings); }};
 }
 
