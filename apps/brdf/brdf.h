@@ -8,5 +8,6 @@ namespace gp::tool {
 Command addBrdfList(CLI::App& brdf);
 Command addBrdfEval(CLI::App& brdf);
 Command addBrdfPlot(CLI::App& brdf);
+Command addBrdfSlice(CLI::App& brdf);
 
 }  // namespace gp::tool
