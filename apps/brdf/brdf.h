@@ -9,5 +9,6 @@ Command addBrdfList(CLI::App& brdf);
 Command addBrdfEval(CLI::App& brdf);
 Command addBrdfPlot(CLI::App& brdf);
 Command addBrdfSlice(CLI::App& brdf);
+Command addBrdfExport(CLI::App& brdf);
 
 }  // namespace gp::tool

@@ -15,6 +15,7 @@
 #include "backend/backend.h"
 #include "frame/frame_images.h"
 #include "glitterpath/glitterpath.h"
+#include "scene/bsdf_evaluate.h"
 #include "scene/bsdf_registry.h"
 #include "scene/scene.h"
 
@@ -86,6 +87,7 @@ struct LightObject final : ChildObject {
 struct FrameObject final : ChildObject {
     using ChildObject::ChildObject;
     FrameImages images;
+    FrameMode mode = FrameMode::reference;
     bool rendered = false;           // there is something to read
     GpFrameStatistics statistics{};
     // What the samples show, so that accumulating something else is noticed.
@@ -96,7 +98,8 @@ struct FrameObject final : ChildObject {
 
 struct BsdfObject final : ChildObject {
     using ChildObject::ChildObject;
-    std::unique_ptr<const BsdfSettings> settings;
+    std::shared_ptr<const BsdfSettings> settings;
+    std::unique_ptr<const PreparedBsdf> prepared;  // made by the first value or sample
 };
 
 template <class Handle> struct HandleTraits;

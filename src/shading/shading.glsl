@@ -29,6 +29,7 @@
 #include "shading/light/directional.glsl"
 #include "shading/light/sphere.glsl"
 #include "shading/light/rectangle.glsl"
+#include "shading/light/lamp_point.glsl"
 #include "shading/light/triangle.glsl"
 #include "shading/light/environment.glsl"
 #include "shading/light/tree.glsl"
@@ -51,5 +52,6 @@
 #include "shading/microfacet/distribution.glsl"
 #include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/bsdf/bsdf.glsl"
+#include "shading/bsdf/blend.glsl"
 
 #endif
