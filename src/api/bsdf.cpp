@@ -166,6 +166,13 @@ void forEachIndex(const BsdfObject& object, size_t count, const Body& body) {
     arena.execute([&] { tbb::parallel_for(all, part); });
 }
 
+// The device is locked: nobody else makes it at the same time.
+const PreparedBsdf& preparedOf(BsdfObject& object) {
+    if (!object.prepared)
+        object.prepared = std::make_unique<const PreparedBsdf>(*object.settings);
+    return *object.prepared;
+}
+
 GpBsdfValue valueOf(const BsdfReading& reading) {
     return {{reading.f.x, reading.f.y, reading.f.z}, reading.pdf};
 }
@@ -223,7 +230,7 @@ GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* 
         checkDirections(wi, count, "wi");
         checkDirections(wo, count, "wo");
         checkPointer(values, "values");
-        const gp::PreparedBsdf model(*b.settings);
+        const gp::PreparedBsdf& model = preparedOf(b);
         forEachIndex(b, count, [&](size_t i) {
             values[i] = valueOf(model.evaluate(directionAt(wi, i), directionAt(wo, i)));
         });
@@ -238,7 +245,7 @@ GpError gpSampleBsdf(GpBsdf bsdf, size_t count, const float* wo, const float* u,
         checkDirections(wo, count, "wo");
         checkRandomNumbers(u, count);
         checkPointer(samples, "samples");
-        const gp::PreparedBsdf model(*b.settings);
+        const gp::PreparedBsdf& model = preparedOf(b);
         forEachIndex(b, count, [&](size_t i) {
             samples[i] = sampleOf(model.sample(directionAt(wo, i), vec3From(u + 3 * i)));
         });
