@@ -69,6 +69,15 @@ void evaluate(benchmark::State& state, BsdfParams m) {
     }
 }
 
+// What bsdf_prepared does once for a material.
+void prepare(benchmark::State& state, BsdfParams m) {
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(m);
+        BsdfParams made = bsdf_prepared(m);
+        benchmark::DoNotOptimize(made);
+    }
+}
+
 template <Sample sampleOf>
 void sample(benchmark::State& state, BsdfParams m) {
     std::size_t i = 0;
@@ -178,6 +187,25 @@ void registerTerms() {
                                  paramsOf(MODEL_GGX_CONDUCTOR));
 }
 
+// Models that derive numbers from their parameters, with and without tables of them.
+void registerPreparations() {
+    const auto add = [](const char* name, uint model, float distribution, float diffuse) {
+        BsdfParams m = bsdf_params_of(model);
+        if (model == MODEL_KULLA_CONTY) {
+            set_kulla_conty_distribution(m, distribution);
+            set_kulla_conty_diffuse(m, vec3(diffuse));
+        } else {
+            set_microfacet_distribution(m, distribution);
+        }
+        benchmark::RegisterBenchmark(fmt::format("prepare/{}", name).c_str(), prepare, m);
+    };
+    add("microfacet, gtr", MODEL_MICROFACET, float(DISTRIBUTION_GTR), 0.0f);
+    add("kulla_conty, ggx", MODEL_KULLA_CONTY, float(DISTRIBUTION_GGX), 0.0f);
+    add("kulla_conty, ggx, matte base", MODEL_KULLA_CONTY, float(DISTRIBUTION_GGX), 0.5f);
+    add("kulla_conty, gtr", MODEL_KULLA_CONTY, float(DISTRIBUTION_GTR), 0.0f);
+    add("kulla_conty, gtr, matte base", MODEL_KULLA_CONTY, float(DISTRIBUTION_GTR), 0.5f);
+}
+
 // What evaluation reads of tables: nothing; and what making a material does.
 void addSizes() {
     const std::size_t albedo = 4 * sizeof(std::array<float, ALBEDO_TABLE_COSINES
@@ -198,6 +226,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     registerTerms();
+    registerPreparations();
     addSizes();
     benchmark::RunSpecifiedBenchmarks();
     return 0;

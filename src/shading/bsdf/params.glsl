@@ -60,6 +60,10 @@ struct BsdfParams {
     vec4 slot_d;
     vec4 slot_e;
     vec4 slot_f;
+    vec4 slot_g;
+    vec4 slot_h;
+    vec4 slot_i;
+    vec4 slot_j;
 };
 
 // How the types of parameters.def are read and written.
@@ -132,6 +136,10 @@ BsdfParams bsdf_params_of(uint model) {
     m.slot_d = vec4(0.0f);
     m.slot_e = vec4(0.0f);
     m.slot_f = vec4(0.0f);
+    m.slot_g = vec4(0.0f);
+    m.slot_h = vec4(0.0f);
+    m.slot_i = vec4(0.0f);
+    m.slot_j = vec4(0.0f);
 #define BSDF_FIELD(number, name, type, field, initial, minimum, maximum, outside, unit, text) \
     if (model == number) { BSDF_SET_##type(m.field, initial) }
 #define BSDF_PARAMETER(number, accessor, name, type, slot, initial, minimum, maximum, outside, \
