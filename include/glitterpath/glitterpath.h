@@ -197,8 +197,16 @@ enum {
     GP_GIVEN_ALL_MATERIAL = (1 << 9) - 1
 };
 
+/* Parameters that are blended over those below: share = weight * mask. */
+typedef struct GpMaterialLayer {
+    GpBsdf bsdf;           /* required; of the same model as `bsdf` of the material */
+    float weight;          /* 0..1; 0 = 1 */
+    GpTextureUse mask;     /* linear; NULL = the weight alone */
+    uint32_t maskChannel;  /* 0 red, 1 green, 2 blue, 3 alpha */
+} GpMaterialLayer;
+
 /* glTF 2.0 metallic-roughness with the Khronos extensions; a texture multiplies its factor. All
- * factors are in 0..1 unless said otherwise. */
+ * factors are in 0..1 unless said otherwise. Or, where `bsdf` is set, any model of the library. */
 typedef struct GpMaterialDesc {
     uint32_t given; /* GP_GIVEN_ bits */
     const char* name;
@@ -246,11 +254,23 @@ typedef struct GpMaterialDesc {
     float iridescenceThicknessMinNm; /* 100 */
     float iridescenceThicknessMaxNm; /* 400 */
     GpTextureUse iridescenceThicknessTexture; /* G, from min to max */
+    /* A model of the library instead (gpNewBsdf); NULL = glTF's as above. Then baseColor and its
+     * texture multiply the model's base_color, if it has one; of the other fields only normal map,
+     * emission, alpha, doubleSided, unlit, attenuation and anisotropyRotation (which turns the
+     * tangent) count, and setting another is GP_ERROR_INVALID_ARGUMENT. Handles may be released
+     * after the call. */
+    GpBsdf bsdf;
+    const GpMaterialLayer* layers; /* blended over bsdf, in this order: parameters, not results */
+    uint32_t layerCount;           /* at most 16 */
 } GpMaterialDesc;
 
 /* desc may be NULL: white and diffuse with a dielectric sheen of its index. */
 GP_API GpMaterial gpNewMaterial(GpDevice device, const GpMaterialDesc* desc);
 GP_API GpError gpReleaseMaterial(GpMaterial material);
+/* Gives `material` to every instance of the scene whose material has this name; name NULL: to all
+ * instances. *replaced (may be NULL) receives how many those are, which may be 0. */
+GP_API GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
+                                 uint32_t* replaced);
 
 /* ------------------------------------------------------------------------------------ meshes */
 
@@ -430,7 +450,8 @@ GP_API GpError gpFrameScene(GpScene scene, float aspect, GpCameraDesc* camera);
 
 typedef enum GpFrameMode {
     GP_MODE_REFERENCE = 0, /* unbiased path tracing */
-    GP_MODE_REALTIME = 1   /* not there yet: GP_ERROR_UNSUPPORTED */
+    GP_MODE_REALTIME = 1,  /* not there yet: GP_ERROR_UNSUPPORTED */
+    GP_MODE_LOCAL = 2      /* what a rasteriser shows: see GpLocalLighting */
 } GpFrameMode;
 
 typedef struct GpFrameDesc {
@@ -451,7 +472,8 @@ typedef enum GpFrameImage {
     GP_IMAGE_DEPTH = 4,     /* R32F     distance along the view axis, metres; infinite: nothing */
     GP_IMAGE_EMISSION = 5,  /* RGBA32F  radiance of what the camera sees glow, sky included */
     GP_IMAGE_DIRECT = 6,    /* RGBA32F  light after one bounce */
-    GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT */
+    GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT;
+                                        GP_MODE_LOCAL: DIRECT by lamps, INDIRECT ambient */
     GP_IMAGE_ROUGHNESS = 8, /* RGBA32F  R roughness, G metallic */
     GP_IMAGE_VARIANCE = 9,  /* RGBA32F  variance of the mean in COLOR, as if samples
                                         were independent: an upper bound */
@@ -498,6 +520,36 @@ typedef struct GpProgress {
     double noise;            /* estimated mean absolute error over the mean; < 0: not known */
 } GpProgress;
 
+/* Where GP_MODE_LOCAL computes light. */
+typedef enum GpShadingFrequency {
+    GP_FREQUENCY_PIXEL = 0,   /* Phong shading: the normal is interpolated, light computed for every
+                                 sample; the only one that shows normal maps */
+    GP_FREQUENCY_VERTEX = 1,  /* Gouraud shading: computed for the corners of each triangle, base
+                                 colour included, and interpolated */
+    GP_FREQUENCY_TRIANGLE = 2 /* flat shading: once, for its centroid and geometric normal */
+} GpShadingFrequency;
+
+/* How the light of lamps (not of directional ones) falls off in GP_MODE_LOCAL. At a distance of one
+ * metre all are the same. */
+typedef enum GpFalloff {
+    GP_FALLOFF_INVERSE_SQUARE = 0, /* as light does */
+    GP_FALLOFF_INVERSE = 1,
+    GP_FALLOFF_NONE = 2
+} GpFalloff;
+
+/* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
+ * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
+ * their centre with their whole power, directional lights as if their angularRadius were 0. Surfaces
+ * that glow show it, but light nothing. The environment is the background, and its mean radiance is
+ * added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is added too. */
+typedef struct GpLocalLighting {
+    GpBsdf model;                 /* the reflectance of all surfaces; its base_color, where it has
+                                     one, is multiplied by theirs. NULL = each has its own */
+    GpShadingFrequency frequency; /* GP_FREQUENCY_PIXEL */
+    GpFalloff falloff;            /* GP_FALLOFF_INVERSE_SQUARE */
+    float ambient[3];             /* radiance from all sides, W/(m^2 sr), >= 0; 0 */
+} GpLocalLighting;
+
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
  * render stops with GP_ERROR_CANCELLED and keeps its samples. */
 typedef int (*GpProgressCallback)(void* user, const GpProgress* progress);
@@ -520,6 +572,8 @@ typedef struct GpRenderOptions {
                                   another camera, is GP_ERROR_INVALID_OPERATION */
     GpProgressCallback progress;
     void* progressUser;
+    GpLocalLighting local;     /* for GP_MODE_LOCAL, which in turn has no maxBounces, clamp or
+                                  noRussianRoulette: GP_ERROR_INVALID_ARGUMENT where set */
 } GpRenderOptions;
 
 #define GP_NO_BOUNCES (-1)
@@ -591,7 +645,7 @@ typedef struct GpBsdfParameter {
 } GpBsdfParameter;
 
 typedef struct GpBsdfDesc {
-    const char* model;                 /* required */
+    const char* model;                 /* required; or the path of a MERL file, FILE.binary */
     GpBsdfDialect dialect;             /* GP_DIALECT_OWN */
     const GpBsdfParameter* parameters; /* those that are not here have their defaults */
     uint32_t parameterCount;
@@ -602,20 +656,43 @@ typedef struct GpBsdfValue {
     float pdf;  /* 1/sr: how densely wi is sampled for this wo */
 } GpBsdfValue;
 
+/* Bits of GpBsdfSample.lobe. */
+enum {
+    GP_LOBE_DIFFUSE = 1,
+    GP_LOBE_GLOSSY = 2,
+    GP_LOBE_SPECULAR = 4,    /* narrower than 1e-3: as good as a mirror */
+    GP_LOBE_TRANSMISSION = 8 /* wi lies on the other side of the surface */
+};
+
+typedef struct GpBsdfSample {
+    float wi[3];     /* to the light, unit length; zeros where the sample failed, and all else too */
+    float pdf;       /* 1/sr */
+    float weight[3]; /* f |cos_i| / pdf: its mean is the directional albedo. Of radiance: what is
+                        refracted has the factor (index at wo / index at wi)^2 */
+    uint32_t lobe;   /* GP_LOBE_ bits */
+} GpBsdfSample;
+
 /* All models with their parameters, ranges, defaults and references as a JSON text; sizes as in
  * gpDescribeScene. */
 GP_API GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed);
 /* NULL on failure. An unknown name or a value that cannot be read is GP_ERROR_INVALID_ARGUMENT; the
  * message names model and parameter, and the nearest known name. A value outside of its range is
- * clamped where the model's literature does not allow it: gpDescribeBsdf tells. */
+ * clamped where the model's literature does not allow it: gpDescribeBsdf tells. A measured file is
+ * read once, here, and kept (17.5 MB); what is wrong with one is GP_ERROR_FILE_INVALID. */
 GP_API GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc);
 GP_API GpError gpReleaseBsdf(GpBsdf bsdf);
-/* Model, values of all parameters and notices (what was clamped) as a JSON text. */
+/* Model, values of all parameters, notices (what was clamped) and, of a measured material, the file
+ * as a JSON text. */
 GP_API GpError gpDescribeBsdf(GpBsdf bsdf, char* text, size_t size, size_t* needed);
 /* `count` values, at most 2^26. wi, to the light, and wo, to the viewer, leave the surface, three
  * floats each, of any length but 0; normal +Z, tangent +X. */
 GP_API GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* wo,
                               GpBsdfValue* values);
+/* `count` samples, at most 2^26: a direction wi for each wo from three numbers at u, at least 0 and
+ * below 1; the first chooses the lobe, the others the direction. Use good random numbers: their
+ * errors are the errors of what is computed with the samples. */
+GP_API GpError gpSampleBsdf(GpBsdf bsdf, size_t count, const float* wo, const float* u,
+                            GpBsdfSample* samples);
 
 #ifdef __cplusplus
 }

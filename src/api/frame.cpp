@@ -10,6 +10,8 @@ namespace {
 
 constexpr uint32_t sideLimit = 16384;
 
+static_assert(GP_MODE_REALTIME == int(FrameMode::realtime) &&
+              GP_MODE_LOCAL == int(FrameMode::local));
 static_assert(GP_IMAGE_COUNT == int(FrameImage::count));
 #define X(id, NAME, format, channels, meaning) \
     static_assert(GP_IMAGE_##NAME == int(FrameImage::id));
@@ -30,9 +32,11 @@ void checkFits(uint64_t bytes) {
 
 GpFrame newFrame(DeviceObject& device, const GpFrameDesc& desc) {
     checkImageSize(desc.width, desc.height, sideLimit, uint64_t(sideLimit) * sideLimit);
-    if (checkEnum(desc.mode, 2, "mode") == GP_MODE_REALTIME)
+    const auto mode = FrameMode(checkEnum(desc.mode, 3, "mode"));
+    if (mode == FrameMode::realtime)
         fail(GP_ERROR_UNSUPPORTED, "this version has no real-time mode");
     auto object = std::make_shared<FrameObject>(device);
+    object->mode = mode;
     FrameImages& images = object->images;
     images.width = desc.width;
     images.height = desc.height;

@@ -25,6 +25,7 @@ struct SceneObject;
 struct DeviceObject final : Object {
     std::unique_ptr<Backend> backend;
     std::string name;
+    uint32_t threads = 0;                 // 0: all processors
     HandleBits self = 0;
     GpErrorCallback errorCallback = nullptr;
     void* errorUser = nullptr;
@@ -85,6 +86,7 @@ struct LightObject final : ChildObject {
 struct FrameObject final : ChildObject {
     using ChildObject::ChildObject;
     FrameImages images;
+    FrameMode mode = FrameMode::reference;
     bool rendered = false;           // there is something to read
     GpFrameStatistics statistics{};
     // What the samples show, so that accumulating something else is noticed.
@@ -95,7 +97,7 @@ struct FrameObject final : ChildObject {
 
 struct BsdfObject final : ChildObject {
     using ChildObject::ChildObject;
-    std::unique_ptr<const BsdfSettings> settings;
+    std::shared_ptr<const BsdfSettings> settings;
 };
 
 template <class Handle> struct HandleTraits;

@@ -24,6 +24,10 @@ static_assert(GP_TONEMAP_ACES == int(Tonemap::aces) &&
 static_assert(GP_PIXEL_BOX == int(PixelFilter::box) && GP_PIXEL_TENT == int(PixelFilter::tent) &&
               GP_PIXEL_GAUSSIAN == int(PixelFilter::gaussian));
 static_assert(GP_SHADING_DIFFUSE == int(ShadingMode::diffuse));
+static_assert(GP_FREQUENCY_VERTEX == int(ShadingFrequency::vertex) &&
+              GP_FREQUENCY_TRIANGLE == int(ShadingFrequency::triangle));
+static_assert(GP_FALLOFF_INVERSE == int(Falloff::inverse) &&
+              GP_FALLOFF_NONE == int(Falloff::none));
 
 constexpr double widestFilter = 16;  // pixels
 
@@ -50,6 +54,40 @@ void readLimits(FramePlan& plan, const GpRenderOptions& o) {
     if (o.maxBounces < GP_NO_BOUNCES)
         fail(GP_ERROR_OUT_OF_RANGE, "options.maxBounces is {}", o.maxBounces);
     if (o.maxBounces != 0) plan.maxBounces = o.maxBounces < 0 ? 0 : uint32_t(o.maxBounces);
+}
+
+// What only the path tracer has, or only local lighting.
+void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
+    const auto refuse = [](const char* field, const char* mode) {
+        fail(GP_ERROR_INVALID_ARGUMENT, "options.{} is only for frames of {}", field, mode);
+    };
+    if (frame.mode == FrameMode::local) {
+        if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE");
+        if (o.clamp != 0) refuse("clamp", "GP_MODE_REFERENCE");
+        if (o.noRussianRoulette != 0) refuse("noRussianRoulette", "GP_MODE_REFERENCE");
+        return;
+    }
+    if (o.local.model) refuse("local.model", "GP_MODE_LOCAL");
+    if (checkEnum(o.local.frequency, 3, "options.local.frequency") != 0)
+        refuse("local.frequency", "GP_MODE_LOCAL");
+    if (checkEnum(o.local.falloff, 3, "options.local.falloff") != 0)
+        refuse("local.falloff", "GP_MODE_LOCAL");
+    if (!allZero(o.local.ambient, 3)) refuse("local.ambient", "GP_MODE_LOCAL");
+}
+
+LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* model,
+                                ShadingMode shading) {
+    LocalLighting local;
+    local.model = model;
+    local.frequency =
+        ShadingFrequency(checkEnum(o.local.frequency, 3, "options.local.frequency"));
+    local.falloff = Falloff(checkEnum(o.local.falloff, 3, "options.local.falloff"));
+    checkNotNegative(o.local.ambient, 3, "options.local.ambient");
+    local.ambient = vec3From(o.local.ambient);
+    if (model && shading == ShadingMode::diffuse)
+        fail(GP_ERROR_INVALID_ARGUMENT,
+             "options.local.model replaces all materials, as GP_SHADING_DIFFUSE does: not both");
+    return local;
 }
 
 FramePlan planFrom(const GpRenderOptions& o) {
@@ -151,7 +189,14 @@ void discard(FrameObject& frame) noexcept {
 
 void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
             const GpCameraDesc* camera, const GpRenderOptions& options) {
+    checkMode(frame, options);
     FramePlan plan = planFrom(options);
+    plan.mode = frame.mode;
+    std::shared_ptr<BsdfObject> model;  // lives until the picture is there
+    if (options.local.model)
+        model = resolve(*frame.device, options.local.model, "options.local.model");
+    plan.local =
+        localLightingFrom(options, model ? model->settings.get() : nullptr, plan.shading);
     plan.width = frame.images.width;
     plan.height = frame.images.height;
     plan.camera = chooseCamera(scene->scene, camera, frame.images);

@@ -36,8 +36,8 @@ public:
     // the choice of lights: a wrong one costs noise, never light.
     virtual std::array<float, 3> estimateLightVisibility(const BackendScene& scene,
                                                          const FramePlan& plan) = 0;
-    // The path pass: adds samples [first, first + count) to every pixel's sums. Tiles not begun
-    // when `cancel` turns true are left out.
+    // The path pass, or that of local lighting by plan.mode: adds samples [first, first + count) to
+    // every pixel's sums. Tiles not begun when `cancel` turns true are left out.
     virtual RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                                  uint32_t count, FrameImages& images,
                                  const std::atomic<bool>& cancel) = 0;

@@ -11,10 +11,26 @@ namespace gp {
 enum class Tonemap : uint32_t { agx, aces, reinhard, none };
 enum class PixelFilter : uint32_t { blackmanHarris, box, tent, gaussian };
 enum class ShadingMode : uint32_t { full, diffuse };
+enum class FrameMode : uint32_t { reference, realtime, local };
+
+struct BsdfSettings;  // scene/bsdf_registry.h
+
+// FrameMode::local: how lamps light what the camera sees. The numbers are the kernel's.
+enum class ShadingFrequency : uint32_t { pixel, vertex, triangle };
+enum class Falloff : uint32_t { inverseSquare, inverse, none };
+
+struct LocalLighting {
+    const BsdfSettings* model = nullptr;  // in every material's place; null: their own
+    ShadingFrequency frequency = ShadingFrequency::pixel;
+    Falloff falloff = Falloff::inverseSquare;
+    glm::vec3 ambient{0};                 // radiance, beside the environment's
+};
 
 struct FramePlan {
     uint32_t width = 0, height = 0;
     Camera camera;
+    FrameMode mode = FrameMode::reference;
+    LocalLighting local;
 
     uint32_t samplesPerPixel = 64;  // to add; UINT32_MAX: until another limit
     double timeLimit = 0;           // seconds, 0: none

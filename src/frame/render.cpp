@@ -32,7 +32,8 @@ public:
           progress_(progress) {}
 
     RenderResult run() {
-        plan_.lightVisibility = backend_.estimateLightVisibility(scene_, plan_);
+        if (plan_.mode == FrameMode::reference)
+            plan_.lightVisibility = backend_.estimateLightVisibility(scene_, plan_);
         first_ = samplesOfAll();
         const uint32_t begin = first_;
         uint32_t batch = 1;

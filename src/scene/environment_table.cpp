@@ -134,11 +134,16 @@ std::shared_ptr<const EnvironmentTable> makeEnvironmentTable(const float* rgba, 
     table->width = width, table->height = height;
     for (uint32_t y = 0; y < height; ++y) {
         double row = 0;
-        for (uint32_t x = 0; x < width; ++x) row += double(luminance[size_t(y) * width + x]);
+        glm::dvec3 rowColor(0);
+        for (size_t i = size_t(y) * width, end = i + width; i < end; ++i) {
+            row += double(luminance[i]);
+            rowColor += glm::dvec3(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]);
+        }
         // The share of the sphere that a row of pixels covers.
         const double share =
             0.5 * (std::cos(M_PI * y / height) - std::cos(M_PI * (y + 1) / height));
         table->meanLuminance += row / width * share;
+        table->mean += rowColor * (share / width);
     }
     if (!(table->meanLuminance > 0)) return table;
     table->side = std::min(maxSide, std::bit_ceil(std::max(width, height)));

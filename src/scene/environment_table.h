@@ -35,6 +35,7 @@ struct EnvironmentTable {
     uint32_t side = 0;        // a power of two; 0: the image is black
 
     double meanLuminance = 0; // over the sphere, W/(m^2 sr) as luminance
+    glm::dvec3 mean{0};       // the same as colour
 
     bool black() const { return side == 0; }
     float density(uint32_t cell) const;

@@ -29,6 +29,7 @@
 #include "shading/light/directional.glsl"
 #include "shading/light/sphere.glsl"
 #include "shading/light/rectangle.glsl"
+#include "shading/light/lamp_point.glsl"
 #include "shading/light/triangle.glsl"
 #include "shading/light/environment.glsl"
 #include "shading/light/tree.glsl"
@@ -53,5 +54,6 @@
 #include "shading/microfacet/facet_sampling.glsl"
 #include "shading/microfacet/mirror_albedo.glsl"
 #include "shading/bsdf/bsdf.glsl"
+#include "shading/bsdf/blend.glsl"
 
 #endif

@@ -12,12 +12,14 @@ using namespace glm;
 static_assert(sizeof(Hit) == 20);
 static_assert(sizeof(TextureSlot) == 48);
 static_assert(offsetof(MaterialRecord, specular) == 80);
-static_assert(offsetof(MaterialRecord, base_color_slot) == 144);
-static_assert(sizeof(MaterialRecord) == 144 + 15 * sizeof(TextureSlot));
+static_assert(offsetof(MaterialRecord, base_color_slot) == 160);
+static_assert(sizeof(MaterialRecord) == 160 + 15 * sizeof(TextureSlot));
+static_assert(sizeof(BsdfLayerRecord) == 64);
 static_assert(sizeof(InstanceRecord) == 112);
 static_assert(sizeof(TriangleCorners) == 88 || sizeof(TriangleCorners) == 96);
 static_assert(sizeof(LightRecord) == 96 && offsetof(LightRecord, cos_outer) == 80);
 static_assert(sizeof(LightTreeNode) == 64);
 static_assert(sizeof(EnvironmentCell) == 8);
 static_assert(sizeof(FrameConstants) == 88 && offsetof(FrameConstants, environment_color) == 48);
+static_assert(sizeof(LocalLightingConstants) == 32);
 }  // namespace gp::shared

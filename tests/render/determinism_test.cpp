@@ -28,6 +28,10 @@ void furnish(Stage& stage) {
     veiled.alphaMode = GP_ALPHA_BLEND, veiled.baseColor[3] = 0.5f;
     stage.add(veil, stage.material(veiled));
     stage.surround({0.2f, 0.3f, 0.4f});
+    GpLightDesc point{};  // the only light here that is one in GP_MODE_LOCAL too
+    point.kind = GP_LIGHT_SPHERE, point.intensity = 1;
+    put(point.position, {-1.5f, 1.5f, 1});
+    stage.light(point);
 }
 
 GpCameraDesc view() {
@@ -133,6 +137,8 @@ TEST_P(Determinism, CancelledRendersGoOn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Determinism, ::testing::ValuesIn(allVariants()),
+                         [](const auto& row) { return variantName(row.param); });
+INSTANTIATE_TEST_SUITE_P(Local, Determinism, ::testing::ValuesIn(localVariants()),
                          [](const auto& row) { return variantName(row.param); });
 
 }  // namespace

@@ -55,6 +55,15 @@ std::vector<Variant> bestVariants() { return {fullVariants().back(), allVariants
 
 std::vector<Variant> bestFullVariant() { return {fullVariants().back()}; }
 
+std::vector<Variant> localVariants() {
+    std::vector<Variant> variants = fullVariants();
+    for (Variant& v : variants) {
+        v.mode = GP_MODE_LOCAL;
+        v.name.replace(0, std::string("reference").size(), "local");
+    }
+    return variants;
+}
+
 std::string variantName(const Variant& variant) { return variant.name; }
 
 void PrintTo(const Variant& variant, std::ostream* out) { *out << variant.name; }

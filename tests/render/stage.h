@@ -26,6 +26,7 @@ std::vector<Variant> allVariants();   // that this machine has, plain-diffuse sh
 std::vector<Variant> fullVariants();  // those with whole materials
 std::vector<Variant> bestVariants();     // the fastest of each shading, for tests that cost much
 std::vector<Variant> bestFullVariant();  // ... with whole materials
+std::vector<Variant> localVariants();    // GP_MODE_LOCAL on each instruction set
 std::string variantName(const Variant& variant);
 void PrintTo(const Variant& variant, std::ostream* out);
 uint32_t effort(uint32_t samples);  // 16 times as many with GP_LONG_TESTS=1

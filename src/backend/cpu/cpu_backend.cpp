@@ -11,11 +11,15 @@
 #include <xmmintrin.h>
 
 #include "backend/cpu/cpu_backend.h"
+#include "scene/bsdf_settings.h"
 #include "shading/shading.h"
 
 namespace gp::cpu {
 
 extern const IsaKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
+namespace local {
+extern const LocalKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
+}
 
 namespace {
 
@@ -23,6 +27,7 @@ constexpr uint32_t tileSize = 8;
 
 struct InstructionSet {
     const IsaKernels* kernels;
+    const LocalKernels* localKernels;
     const char* embreeName;
     bool here;  // this processor has it
 };
@@ -34,8 +39,9 @@ std::vector<InstructionSet> instructionSets() {
     const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
                         __builtin_cpu_supports("avx512vl");
-    return {{&kernelsAvx512, "avx512", avx512}, {&kernelsAvx2, "avx2", avx2},
-            {&kernelsX86_64, "sse2", true}};
+    return {{&kernelsAvx512, &local::kernelsAvx512, "avx512", avx512},
+            {&kernelsAvx2, &local::kernelsAvx2, "avx2", avx2},
+            {&kernelsX86_64, &local::kernelsX86_64, "sse2", true}};
 }
 
 InstructionSet chooseInstructionSet(const std::string& wanted) {
@@ -91,10 +97,27 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     return f;
 }
 
+static_assert(FREQUENCY_VERTEX == uint32_t(ShadingFrequency::vertex) &&
+              FREQUENCY_TRIANGLE == uint32_t(ShadingFrequency::triangle) &&
+              FALLOFF_INVERSE == uint32_t(Falloff::inverse) &&
+              FALLOFF_NONE == uint32_t(Falloff::none));
+
+shared::LocalLightingConstants localConstants(const CpuScene& scene, const FramePlan& plan) {
+    shared::LocalLightingConstants c{};
+    c.ambient = plan.local.ambient + scene.view().environmentMean;
+    c.frequency = uint32_t(plan.local.frequency);
+    c.falloff = uint32_t(plan.local.falloff);
+    c.lamps = scene.view().lightCount - uint32_t(scene.emissiveTriangles());
+    c.replaces_materials = plan.local.model != nullptr;
+    c.parallel_view = plan.camera.kind == CameraKind::orthographic;
+    return c;
+}
+
 }  // namespace
 
 CpuBackend::CpuBackend(const BackendOptions& options)
     : kernels_(*chooseInstructionSet(options.instructionSet).kernels),
+      localKernels_(*chooseInstructionSet(options.instructionSet).localKernels),
       threads_(options.threads ? options.threads
                                : std::max(1u, std::thread::hardware_concurrency())),
       arena_(int(threads_)) {
@@ -158,6 +181,10 @@ RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& pla
                                  const std::atomic<bool>& cancel) {
     const SceneView& view = static_cast<const CpuScene&>(scene).view();
     const shared::FrameConstants frame = frameConstants(view, plan);
+    const bool isLocal = plan.mode == FrameMode::local;
+    const auto local = localConstants(static_cast<const CpuScene&>(scene), plan);
+    shading::BsdfParams model{};
+    if (plan.local.model) model = bsdfParamsFrom(*plan.local.model);
     const uint32_t tilesX = (plan.width + tileSize - 1) / tileSize;
     const uint32_t tilesY = (plan.height + tileSize - 1) / tileSize;
     tbb::combinable<RayCounts> counts;
@@ -173,7 +200,8 @@ RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& pla
             job.y1 = std::min(job.y0 + tileSize, plan.height);
             job.firstSample = first, job.sampleCount = count;
             job.recorder = recorder_;
-            const TileCounts c = kernels_.traceTile(job);
+            const TileCounts c = isLocal ? localKernels_.lightTile({job, &local, &model})
+                                         : kernels_.traceTile(job);
             RayCounts& sum = counts.local();
             sum.camera += c.camera, sum.bounce += c.bounce, sum.shadow += c.shadow;
         }, tbb::simple_partitioner());

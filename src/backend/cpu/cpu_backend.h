@@ -24,6 +24,7 @@ public:
 
 private:
     const IsaKernels& kernels_;
+    const LocalKernels& localKernels_;
     uint32_t threads_;
     tbb::task_arena arena_;
     std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end

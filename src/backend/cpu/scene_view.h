@@ -46,6 +46,8 @@ struct SceneView {
     const shared::InstanceRecord* instances;
     const GeometryView* geometries;
     const shared::MaterialRecord* materials;
+    const void* bsdfs;          // shading::BsdfParams, a type of each translation unit
+    const shared::BsdfLayerRecord* bsdfLayers;
     const TextureView* textures;
     const shared::LightRecord* lights;        // directional ones first
     const shared::LightTreeNode* lightTree;
@@ -54,6 +56,7 @@ struct SceneView {
     const uint32_t* lightOfPrimitive[4];  // of the geometries after the instances: lights' shapes
     uint32_t instanceCount, lightCount, lightTreeNodes, directionalLights;
     glm::vec3 environmentColor;
+    glm::vec3 environmentMean;                // radiance over the sphere
     float environmentCos, environmentSin;     // of its rotation
     float environmentPower;                   // luminance of the irradiance, W/m^2
 };
@@ -83,6 +86,13 @@ struct TileCounts {
     float lightSent[3], lightArrived[3];  // by shadow rays, for each group of lights
 };
 
+// The same for GP_MODE_LOCAL.
+struct LocalTileJob {
+    TileJob tile;
+    const shared::LocalLightingConstants* local;
+    const void* model;          // shading::BsdfParams in every material's place, or null
+};
+
 // The hot code, once for each instruction set (isa/).
 struct IsaKernels {
     const char* name;
@@ -90,6 +100,12 @@ struct IsaKernels {
     void (*tonemap)(const PixelSums* sums, glm::u8vec4* display, size_t count, float exposureEv,
                     uint32_t tonemap);
     void (*alphaFilter)(const RTCFilterFunctionNArguments* arguments);
+};
+
+// Apart from the path tracer: in one object with it, functions that both call would no longer be
+// inlined there.
+struct LocalKernels {
+    TileCounts (*lightTile)(const LocalTileJob& job);
 };
 
 }  // namespace gp::cpu

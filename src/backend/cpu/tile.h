@@ -61,7 +61,8 @@ inline void tracePaths(Kernels& k, TilePixels& t, uint32_t count) {
     }
 }
 
-inline void traceSample(Kernels& k, const TileJob& job, const CameraParams& camera, TilePixels& t,
+// A path for each pixel of the tile, with what its camera ray meets.
+inline void beginSample(Kernels& k, const TileJob& job, const CameraParams& camera, TilePixels& t,
                         uint32_t count, uint32_t sample) {
     const RayCone cone = camera_ray_cone(camera, float(job.frame->height));
     for (uint32_t i = 0; i < count; ++i) {
@@ -72,7 +73,10 @@ inline void traceSample(Kernels& k, const TileJob& job, const CameraParams& came
     }
     k.trace_camera(t.rays, t.alphaSeeds, t.hits, count);
     for (uint32_t i = 0; i < count; ++i) t.paths[i].hit = t.hits[i];
-    tracePaths(k, t, count);
+}
+
+inline void endSample(const TileJob& job, const CameraParams& camera, TilePixels& t,
+                      uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         PathState& path = t.paths[i];
         path.guides.depth *= dot(t.rays[i].direction, camera.forward);
@@ -91,8 +95,9 @@ inline CameraParams cameraParams(const Camera& c, uint32_t width, uint32_t heigh
     return p;
 }
 
-TileCounts traceTile(const TileJob& job) {
-    Kernels k(*job.scene, *job.frame);
+// All samples of the job; `finish` brings the paths of a sample to their ends.
+template <class AnyKernels, class Finish>
+TileCounts renderTile(AnyKernels& k, const TileJob& job, const Finish& finish) {
     k.recorder = job.recorder;
     initQuery(k.query, job.scene, nullptr, false);
     const CameraParams camera = cameraParams(*job.camera, job.frame->width, job.frame->height);
@@ -102,12 +107,21 @@ TileCounts traceTile(const TileJob& job) {
         for (uint32_t x = job.x0; x < job.x1; ++x) t.pixels[count++] = uvec2(x, y);
     // A render that was cancelled left some tiles further than others.
     const uint32_t held = job.sums[size_t(job.y0) * job.frame->width + job.x0].samples;
-    for (uint32_t s = held > job.firstSample ? held - job.firstSample : 0; s < job.sampleCount; ++s)
-        traceSample(k, job, camera, t, count, job.firstSample + s);
+    for (uint32_t s = held > job.firstSample ? held - job.firstSample : 0; s < job.sampleCount;
+         ++s) {
+        beginSample(k, job, camera, t, count, job.firstSample + s);
+        finish(t, count);
+        endSample(job, camera, t, count);
+    }
     return k.counts;
 }
 
-void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv,
+inline TileCounts traceTile(const TileJob& job) {
+    Kernels k(*job.scene, *job.frame);
+    return renderTile(k, job, [&](TilePixels& t, uint32_t count) { tracePaths(k, t, count); });
+}
+
+inline void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv,
                    uint32_t tonemap) {
     const float scale = std::exp2(exposureEv);
     const SceneView view{};

@@ -1,10 +1,10 @@
-// glitterpath brdf: the reflectance models, one by one.
+// glitterpath brdf eval: the values of a model for two directions, or of a whole table.
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "brdf_table.h"
-#include "commands.h"
+#include "brdf/brdf.h"
+#include "brdf/table.h"
 #include "output.h"
 #include "parse.h"
 #include "reflectance.h"
@@ -15,14 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  glitterpath brdf list\n"
-    "  glitterpath brdf eval ward --set alpha_x=0.3 alpha_y=0.1 --wi 0.5,0,1 --wo -0.5,0,1\n"
-    "  glitterpath brdf eval --csv directions.csv -o values.csv\n\n"
-    "`glitterpath brdf list --help` and `glitterpath brdf eval --help` tell the rest.";
-
-constexpr const char* kEvalNotes =
+constexpr const char* kNotes =
     "Prints f (1/sr, without the cosine) for red, green and blue, and the density (1/sr) with\n"
     "which wi is sampled for this wo. Directions leave the surface and may have any length but 0;\n"
     "the normal is +Z, the tangent +X.\n\n"
@@ -34,83 +27,12 @@ constexpr const char* kEvalNotes =
     "      --wi 0.5,0.2,1 --wo -1,0,0.3 --json\n"
     "  glitterpath brdf eval --csv golden_brdf.csv --dialect wdas -o values.csv";
 
-struct ListSettings {
-    bool json = false;
-};
-
 struct EvalSettings {
     std::string model, outputPath = "-", csvPath, wi, wo;
     std::vector<std::string> parameterWords;
     GpBsdfDialect dialect = GP_DIALECT_OWN;
     bool json = false;
 };
-
-std::string valueText(const Json& value) {
-    if (value.is_string()) {
-        return value.get<std::string>();
-    }
-    if (value.is_array()) {
-        std::string text;
-        for (const Json& part : value) {
-            text += (text.empty() ? "" : ",") + valueText(part);
-        }
-        return text;
-    }
-    // The library's numbers are floats; JSON's double would show digits that they do not have.
-    return value.is_number() ? fmt::format("{}", value.get<float>()) : value.dump();
-}
-
-std::string rangeText(const Json& p) {
-    if (p.contains("choices")) {
-        std::string text;
-        for (const Json& choice : p["choices"]) {
-            text += (text.empty() ? "" : "|") + choice.get<std::string>();
-        }
-        return text;
-    }
-    if (!p.contains("minimum")) {
-        return "true or false";
-    }
-    return fmt::format("{:g}..{:g}{}{}", p["minimum"].get<float>(), p["maximum"].get<float>(),
-                       p.contains("unit") ? " " + p["unit"].get<std::string>() : "",
-                       p["mayExceed"].get<bool>() ? ", or beyond" : "");
-}
-
-std::string flagsText(const Json& model) {
-    std::string text;
-    for (const char* flag : {"reciprocal", "conserving", "transmissive"}) {
-        if (model.at(flag).get<bool>()) {
-            text += fmt::format(", {}", flag);
-        }
-    }
-    return text;
-}
-
-std::string listText(const Json& models) {
-    std::string text;
-    for (const Json& model : models) {
-        text += fmt::format("{}\n    {} [{}{}]\n", model.at("name").get<std::string>(),
-                            model.at("text").get<std::string>(),
-                            model.at("reference").get<std::string>(), flagsText(model));
-        for (const Json& p : model.at("parameters")) {
-            text += fmt::format("    --set {}={}    {} ({})\n", p.at("name").get<std::string>(),
-                                valueText(p.at("default")), p.at("text").get<std::string>(),
-                                rangeText(p));
-        }
-    }
-    return text;
-}
-
-int runList(const ListSettings& settings) {
-    const Device device = newModelDevice();
-    const Json models = describeModels(device.get());
-    if (settings.json) {
-        writeJson("-", models);
-    } else {
-        writeText("-", listText(models));
-    }
-    return kExitSuccess;
-}
 
 Direction directionOf(const char* option, const std::string& word) {
     const std::array<float, 3> triple = parseTriple(option, word);
@@ -180,15 +102,9 @@ int runEval(const EvalSettings& settings) {
     return kExitSuccess;
 }
 
-Command addList(CLI::App& brdf) {
-    CLI::App* app = brdf.add_subcommand("list", "List models, parameters, ranges and defaults");
-    const auto settings = std::make_shared<ListSettings>();
-    app->add_flag("--json", settings->json, "As JSON");
-    app->footer("Examples:\n  glitterpath brdf list --json > models.json");
-    return {app, [settings] { return runList(*settings); }};
-}
+}  // namespace
 
-Command addEval(CLI::App& brdf) {
+Command addBrdfEval(CLI::App& brdf) {
     CLI::App* app = brdf.add_subcommand("eval", "Evaluate a model, or a table of models");
     const auto settings = std::make_shared<EvalSettings>();
     const auto into = [](std::string& target) {
@@ -208,24 +124,8 @@ Command addEval(CLI::App& brdf) {
             "Whose names of models and parameters: own, wdas (Disney's BRDF Explorer) or bbm",
             [settings](const std::string& word) { settings->dialect = parseDialect(word); });
     app->add_flag("--json", settings->json, "Values, parameters and notices as JSON");
-    app->footer(kEvalNotes);
+    app->footer(kNotes);
     return {app, [settings] { return runEval(*settings); }};
-}
-
-}  // namespace
-
-Command addBrdfCommand(CLI::App& tool) {
-    CLI::App* app = tool.add_subcommand("brdf", "Look at reflectance models: list, eval");
-    app->footer(kExamples);
-    const std::vector<Command> commands = {addList(*app), addEval(*app)};
-    return {app, [commands] {
-                for (const Command& command : commands) {
-                    if (command.app->parsed()) {
-                        return command.run();
-                    }
-                }
-                throw UsageError("brdf: a subcommand is missing: list or eval");
-            }};
 }
 
 }  // namespace gp::tool

@@ -1,4 +1,4 @@
-#include "brdf_table.h"
+#include "brdf/table.h"
 
 #include <fmt/format.h>
 

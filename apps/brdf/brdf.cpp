@@ -1,0 +1,46 @@
+// glitterpath brdf: the reflectance models, one by one. A file for each of its subcommands.
+#include "brdf/brdf.h"
+
+#include <fmt/format.h>
+
+#include "tool_error.h"
+
+namespace gp::tool {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  glitterpath brdf list\n"
+    "  glitterpath brdf eval ward --set alpha_x=0.3 alpha_y=0.1 --wi 0.5,0,1 --wo -0.5,0,1\n"
+    "  glitterpath brdf eval --csv directions.csv -o values.csv\n"
+    "  glitterpath brdf export disney --set metallic=1 -o metal.binary\n\n"
+    "`glitterpath brdf list --help` and `glitterpath brdf eval --help` tell the rest.";
+
+// "list, eval or plot"
+std::string namesOf(const std::vector<Command>& commands) {
+    std::string names;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const bool last = i + 1 == commands.size();
+        names += (i == 0 ? "" : last ? " or " : ", ") + commands[i].app->get_name();
+    }
+    return names;
+}
+
+}  // namespace
+
+Command addBrdfCommand(CLI::App& tool) {
+    CLI::App* app = tool.add_subcommand("brdf", "Look at reflectance models");
+    app->footer(kExamples);
+    const std::vector<Command> commands = {addBrdfList(*app), addBrdfEval(*app),
+                                           addBrdfExport(*app)};
+    return {app, [commands] {
+                for (const Command& command : commands) {
+                    if (command.app->parsed()) {
+                        return command.run();
+                    }
+                }
+                throw UsageError("brdf: a subcommand is missing: " + namesOf(commands));
+            }};
+}
+
+}  // namespace gp::tool

@@ -1,0 +1,12 @@
+// The subcommands of glitterpath brdf: a file each.
+#pragma once
+
+#include "commands.h"
+
+namespace gp::tool {
+
+Command addBrdfList(CLI::App& brdf);
+Command addBrdfEval(CLI::App& brdf);
+Command addBrdfExport(CLI::App& brdf);
+
+}  // namespace gp::tool

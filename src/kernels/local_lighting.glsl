@@ -1,0 +1,176 @@
+// The picture that a rasteriser gives: what the camera sees is lit by every lamp as by a point,
+// without shadows and without bounces, by its own material or by one lighting model for all.
+// Light is computed for each pixel [Phong 1975], for the corners of triangles with the pixels in
+// between interpolated [Gouraud 1971], or once for each triangle.
+// Resources: load_local_lighting, load_lighting_model (where that replaces the materials), and
+// those of path.glsl.
+#ifndef GP_KERNELS_LOCAL_LIGHTING_GLSL
+#define GP_KERNELS_LOCAL_LIGHTING_GLSL
+#include "kernels/path.glsl"
+#include "shading/light/lamp_point.glsl"
+
+// What a point of a surface sends to the viewer.
+struct LocalLight {
+    vec3 direct;
+    vec3 ambient;
+};
+
+// A point of a surface, ready to be lit.
+struct LocalPoint {
+    ShadingPoint shading;
+    vec3 position;
+    vec3 wo;
+};
+
+LightSample lamp_sample(IN(LightRecord) record, vec3 p, uint falloff) {
+    if (record.kind == LIGHT_DIRECTIONAL) {
+        DirectionalLight sun = directional_light(record);
+        sun.one_minus_cos_max = 0.0f;
+        return directional_light_sample(sun, vec2(0.0f));
+    }
+    SphereLight lamp = sphere_light(record);
+    if (record.kind == LIGHT_RECTANGLE) {
+        lamp = rectangle_light_as_point(rectangle_light(record), p);
+    }
+    return light_sample_with_falloff(
+        sphere_light_sample(sphere_light_as_point(lamp), p, vec2(0.0f)), falloff);
+}
+
+LocalLight light_of(IN(LocalPoint) at) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    vec3 wo_local = local_from_world(at.shading.frame, at.wo);
+    LocalLight sum;
+    sum.direct = vec3(0.0f);
+    for (uint i = 0u; i < local.lamps; ++i) {
+        LightSample lamp = lamp_sample(load_light(i), at.position, local.falloff);
+        if (!(lamp.pdf > 0.0f)) { continue; }
+        vec3 wi_local = local_from_world(at.shading.frame, lamp.wi);
+        sum.direct += bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos * lamp.radiance;
+    }
+    sum.ambient = bsdf_albedo(at.shading.bsdf, abs(wo_local.z)) * local.ambient;
+    return sum;
+}
+
+// A material as this mode shows it. Bumps of a normal map are between the corners of triangles,
+// and whatever model replaces a solid body's is lit on the side that the viewer sees.
+MaterialRecord local_material(IN(MaterialRecord) m) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    MaterialRecord shown = m;
+    if (local.frequency != FREQUENCY_PIXEL) {
+        shown.textures &= ~(SLOT_NORMAL | SLOT_COAT_NORMAL);
+    }
+    if (local.replaces_materials != 0u) {
+        shown.flags &= ~(MATERIAL_SOLID | MATERIAL_TRANSMISSIVE);
+    }
+    return shown;
+}
+
+// Its tangent along u, as textures lie: meshes have tangents only where their own materials ask for
+// them, but the model that replaces these may have a direction.
+Frame frame_along_u(IN(Surface) s, IN(Hit) hit) {
+    LET_REF(InstanceRecord) instance = load_instance(hit.instance);
+    TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
+    vec2 d1 = c.uv1 - c.uv0;
+    vec2 d2 = c.uv2 - c.uv0;
+    vec3 e1 = transform_vector(instance, c.p1 - c.p0);
+    vec3 e2 = transform_vector(instance, c.p2 - c.p0);
+    // Of the two gradients only the directions count, so the determinant's sign is enough.
+    float side = d1.x * d2.y - d1.y * d2.x < 0.0f ? -1.0f : 1.0f;
+    vec3 t = (e1 * d2.y - e2 * d1.y) * side;
+    vec3 b = (e2 * d1.x - e1 * d2.x) * side;
+    return frame_from_normal_tangent(s.frame.n, t,
+                                     dot(cross(s.frame.n, t), b) < 0.0f ? -1.0f : 1.0f);
+}
+
+// The point of the triangle that path.hit names with the barycentrics u and v. Where pixels do not
+// count, textures are read at their finest level, which is the same for all pixels.
+LocalPoint local_point(IN(PathState) path, IN(MaterialRecord) m, float u, float v, float u_lod) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    LET_REF(FrameConstants) f = load_frame();
+    bool diffuse = f.diffuse_shading != 0u;
+    bool replaced = local.replaces_materials != 0u;
+    Hit hit = path.hit;
+    hit.u = u;
+    hit.v = v;
+    uint needs = surface_needs(m, diffuse) | (replaced ? SURFACE_UV : 0u);
+    Surface s = load_surface(hit, path.ray.direction, path.cone, needs);
+    if (local.frequency != FREQUENCY_PIXEL) { s.lod = FINEST_LEVEL; }
+    if (replaced && (needs & SURFACE_TANGENT) == 0u) { s.frame = frame_along_u(s, hit); }
+    if (local.frequency == FREQUENCY_TRIANGLE) {
+        s.frame = frame_from_normal_tangent(s.ng, s.frame.t,
+                                            dot(cross(s.frame.n, s.frame.t), s.frame.b));
+    }
+    LocalPoint at;
+    at.position = s.position;
+    at.wo = local.parallel_view != 0u ? -path.ray.direction
+                                      : normalize(path.ray.origin - s.position);
+    at.shading = load_shading_point(m, s, at.wo, u_lod, diffuse);
+    return at;
+}
+
+// The model in a material's place. What the material says of its colour, textures included, tints
+// the model's.
+BsdfParams lighting_model(vec3 base_color) {
+    BsdfParams model = load_lighting_model();
+    model.base_color *= base_color;
+    return model;
+}
+
+LocalLight local_light_at(IN(PathState) path, IN(MaterialRecord) m, float u, float v,
+                          float u_lod) {
+    LocalPoint at = local_point(path, m, u, v, u_lod);
+    if (load_local_lighting().replaces_materials != 0u) {
+        at.shading.bsdf = lighting_model(at.shading.bsdf.base_color);
+    }
+    return light_of(at);
+}
+
+// The light of the triangle's corners, in proportion to how near they are.
+LocalLight interpolated_light(IN(PathState) path, IN(MaterialRecord) m) {
+    LocalLight a = local_light_at(path, m, 0.0f, 0.0f, 0.0f);
+    LocalLight b = local_light_at(path, m, 1.0f, 0.0f, 0.0f);
+    LocalLight c = local_light_at(path, m, 0.0f, 1.0f, 0.0f);
+    LocalLight light;
+    light.direct = interpolate(a.direct, b.direct, c.direct, path.hit.u, path.hit.v);
+    light.ambient = interpolate(a.ambient, b.ambient, c.ambient, path.hit.u, path.hit.v);
+    return light;
+}
+
+LocalLight light_by_frequency(IN(PathState) path, IN(MaterialRecord) m, IN(LocalPoint) seen) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    if (local.frequency == FREQUENCY_VERTEX) { return interpolated_light(path, m); }
+    if (local.frequency == FREQUENCY_TRIANGLE) {
+        return local_light_at(path, m, 1.0f / 3.0f, 1.0f / 3.0f, 0.0f);
+    }
+    return light_of(seen);
+}
+
+// All of the light that the camera's ray brings from what path.hit names. What lamps send stands
+// as direct light, what comes from all sides as indirect light.
+void path_light_locally(INOUT(PathState) path) {
+    if (path.hit.instance == HIT_NOTHING) {
+        path_end(path, sky_light(path.from, path.ray.direction));
+        return;
+    }
+    if (path.hit.instance == HIT_LIGHT) {
+        path_end_at_light(path);
+        return;
+    }
+    MaterialRecord m = local_material(load_material(load_instance(path.hit.instance).material));
+    path.cone = ray_cone_propagate(path.cone, path.hit.t);
+    float u_lod = m.textures != 0u ? draw_at(path.draws, 0u, DRAW_OTHERS).x : 0.0f;
+    LocalPoint seen = local_point(path, m, path.hit.u, path.hit.v, u_lod);
+    path.guides = guides_of(seen.shading, path.hit, seen.wo);
+    path_end(path, own_light(path, seen.shading));
+    if ((seen.shading.flags & MATERIAL_UNLIT) != 0u) { return; }
+    if (load_local_lighting().replaces_materials != 0u) {
+        seen.shading.bsdf = lighting_model(seen.shading.bsdf.base_color);
+        path.guides.albedo =
+            bsdf_albedo(seen.shading.bsdf, abs(dot(seen.shading.frame.n, seen.wo)));
+    }
+    LocalLight light = light_by_frequency(path, m, seen);
+    path.light.direct = light.direct;
+    path.light.indirect = light.ambient;
+}
+
+#endif
