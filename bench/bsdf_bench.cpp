@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "shading/shading.h"
+#include "statistics/measured_example.h"
 
 namespace {
 
@@ -113,11 +114,12 @@ bool staysFinite(const BsdfParams& m) {
 struct Row {
     const char* name;
     uint model;
+    uint flags;
 };
 
 constexpr Row rows[] = {
 #define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, cite, text) \
-    {#name, number},
+    {#name, number, flags},
 #include "shading/bsdf/models.def"
 #undef BSDF_MODEL
 };
@@ -129,7 +131,10 @@ BsdfParams paramsOf(uint model) {
 bool registerModels() {
     bool good = true;
     for (const Row& row : rows) {
-        const BsdfParams m = paramsOf(row.model);
+        BsdfParams m = paramsOf(row.model);
+        if ((row.flags & BSDF_FROM_FILE) != 0u) {
+            m.table = gp::test::measuredExample()->address();
+        }
         if (!staysFinite(m)) {
             fmt::print(stderr, "bsdf_bench: {} is not finite\n", row.name);
             good = false;
