@@ -23,6 +23,7 @@ constexpr const char* kExamples =
     "  glitterpath render helmet.glb -o helmet.png --env studio.hdr --noise 0.02\n"
     "  glitterpath render room.glb -o room.exr --size 1920x1080 --spp 1024 --aov albedo,normal\n"
     "  glitterpath render ship.glb -o ship.png --sun 120,25,0 --from 8,3,10 --fov 35\n"
+    "  glitterpath render cup.glb -o cup.png --material gold --material handle=leather:sheen=0.4\n"
     "  glitterpath render box.glb -o box.png --time-limit 30 --json - --quiet";
 
 // Messages for people go to stderr, so that stdout is free for --json -.

@@ -213,6 +213,13 @@ void addRenderOptions(CLI::App& app, RenderSettings& s) {
     addWord(app, "-o,--output", "OUT", "The picture: .png, .exr or .hdr",
             [&s](const std::string& word) { s.outputPath = word; })->required();
     addSceneChoice(app, s.load);
+    app.add_option("--material", s.materials,
+                   "Replace materials of the file, NAME or all, by a model, a preset or a measured "
+                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
+        ->type_name("[NAME=]MODEL[:K=V,...]")
+        ->group("Content of the file")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     addCameraOptions(app, s);
     addLightOptions(app, s);
     addQualityOptions(app, s);

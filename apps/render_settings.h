@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "library.h"
 #include "parse.h"
@@ -26,6 +27,7 @@ struct SunSettings {
 struct RenderSettings {
     std::string scenePath, outputPath, jsonPath;
     GpLoadOptions load{};
+    std::vector<std::string> materials;  // --material, as written
     Size size{1280, 720};
     bool quiet = false;
 

@@ -31,7 +31,8 @@ std::string namesOf(const std::vector<Command>& commands) {
 Command addBrdfCommand(CLI::App& tool) {
     CLI::App* app = tool.add_subcommand("brdf", "Look at reflectance models");
     app->footer(kExamples);
-    const std::vector<Command> commands = {addBrdfList(*app), addBrdfEval(*app), addBrdfPlot(*app),
+    const std::vector<Command> commands = {addBrdfList(*app),  addBrdfPresets(*app),
+                                           addBrdfEval(*app),  addBrdfPlot(*app),
                                            addBrdfSlice(*app), addBrdfExport(*app)};
     return {app, [commands] {
                 for (const Command& command : commands) {
