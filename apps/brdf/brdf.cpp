@@ -32,7 +32,7 @@ Command addBrdfCommand(CLI::App& tool) {
     CLI::App* app = tool.add_subcommand("brdf", "Look at reflectance models");
     app->footer(kExamples);
     const std::vector<Command> commands = {addBrdfList(*app), addBrdfEval(*app), addBrdfPlot(*app),
-                                           addBrdfExport(*app)};
+                                           addBrdfSlice(*app), addBrdfExport(*app)};
     return {app, [commands] {
                 for (const Command& command : commands) {
                     if (command.app->parsed()) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "brdf/directions.h"
+#include "metrics/color.h"
 #include "tool_error.h"
 
 namespace gp::tool {
@@ -215,8 +216,7 @@ double channelOf(const glm::dvec3& value, Channel channel) {
     case Channel::blue: return value.z;
     default: break;
     }
-    // [ITU-R BT.709-6]
-    return 0.2126 * value.x + 0.7152 * value.y + 0.0722 * value.z;
+    return metrics::luminance(glm::vec3(value));
 }
 
 GnuplotJob curvesJob(const std::vector<Curve>& curves, const CurveSettings& settings,
