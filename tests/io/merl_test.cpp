@@ -143,6 +143,22 @@ TEST(Merl, RefusesFilesThatAreNot) {
     std::filesystem::remove(path);
 }
 
+TEST(Merl, OneTableForAllThatHoldAFile) {
+    const std::string path = inTemp("shared.binary");
+    io::writeMerl(path, std::vector<float>(3 * merl::cellCount, 0.25f));
+    auto first = io::readMerl(path);
+    EXPECT_EQ(io::readMerl(path), first);
+    io::writeMerl(path, std::vector<float>(3 * merl::cellCount, 0.5f));
+    const auto changed = io::readMerl(path);
+    EXPECT_NE(changed, first);
+    EXPECT_EQ(changed->words[0], 0.5f);
+    const std::weak_ptr<const MeasuredBrdf> old = first;
+    first.reset();
+    EXPECT_TRUE(old.expired());
+    std::filesystem::remove(path);
+    EXPECT_THROW(io::readMerl(path), io::FileError);
+}
+
 TEST(Merl, SettingsKeepTheTable) {
     const std::string path = inTemp("kept.binary");
     io::writeMerl(path, std::vector<float>(3 * merl::cellCount, 0.25f));
