@@ -95,11 +95,13 @@ std::shared_ptr<const MeasuredBrdf> readMerl(const std::string& path) {
     const fs::file_time_type written = fs::last_write_time(path, error);
     // Held while reading too: who wants the same file at the same time waits for it.
     const std::lock_guard lock(sharedMutex);
-    SharedTable& shared = sharedTables[path];
-    if (const auto known = shared.brdf.lock(); known && !error && shared.written == written)
-        return known;
-    auto brdf = readMerlAnew(path);
-    shared = {written, brdf};
+    if (const auto found = sharedTables.find(path); found != sharedTables.end()) {
+        const auto known = found->second.brdf.lock();
+        if (known && !error && found->second.written == written) return known;
+        sharedTables.erase(found);
+    }
+    const auto brdf = readMerlAnew(path);
+    sharedTables[path] = {written, brdf};
     return brdf;
 }
 
