@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kNotes =
-    "reciprocity         light and viewer exchanged, 20,000 pairs; of refractions the squared index\n"
+    "reciprocity         light and viewer exchanged, 20,000 pairs; refraction: the squared index\n"
     "positivity          no value below 0, none that is not finite\n"
     "albedo              the largest share of light that leaves again, over angles\n"
     "white furnace       the same with the reflectance set to white; below 1 light gets lost\n"
-    "weak white furnace  microfacet with Smith's masking: do the visible facets cover the surface?\n"
+    "weak white furnace  microfacet with Smith's masking: do visible facets cover the surface?\n"
     "sampling            chi-square test of samples against their density, over views\n\n"
     "A model is held to what it claims in `glitterpath brdf list`: what it does not claim cannot\n"
     "fail. Exit code 1 where something failed, 0 otherwise.\n\n"

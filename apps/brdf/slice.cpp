@@ -20,10 +20,11 @@ namespace gp::tool {
 namespace {
 
 constexpr const char* kNotes =
-    "A picture a model: θ_h (the half vector's angle) to the right, θ_d (the light's angle to it)\n"
-    "upwards, both 0 to 90 degrees. The highlight is on the left, the Fresnel reflection above, the\n"
-    "light that comes back to its source below. Colours are f times 2^exposure, clipped at 1. Below\n"
-    "the horizon there is a grey check; what is not finite is magenta.\n\n"
+    "A picture a model: theta_h (the half vector's angle) to the right, theta_d (the light's\n"
+    "angle to it) upwards, both 0 to 90 degrees. The highlight is on the left, the Fresnel\n"
+    "reflection above, the light that comes back to its source below. Colours are f times\n"
+    "2^exposure, clipped at 1. Below the horizon there is a grey check; what is not finite is\n"
+    "magenta.\n\n"
     "--difference: the luminance of the first model minus that of the second, blue to red, with a\n"
     "scale that ends at the largest difference, or at 2^-exposure where --exposure is given.\n\n"
     "Examples:\n"

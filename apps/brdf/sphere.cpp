@@ -14,7 +14,8 @@ namespace gp::tool {
 namespace {
 
 constexpr const char* kExamples =
-    "The picture is a labelled .png or .svg, or an .exr with the radiances of all spheres in a row.\n\n"
+    "The picture is a labelled .png or .svg, or an .exr with the radiances of all spheres, in a\n"
+    "row.\n\n"
     "Examples:\n"
     "  glitterpath brdf sphere lambert oren_nayar disney:metallic=1,roughness=0.3 -o spheres.png\n"
     "  glitterpath brdf sphere ward:alpha_x=0.3,alpha_y=0.05 --light 40,30 -o lit.png\n"

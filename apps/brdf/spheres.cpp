@@ -175,7 +175,7 @@ const char* const kSphereNotes =
     "Unit spheres before an orthographic camera; the tangent runs to the right. Without --env and\n"
     "--light they stand in a studio with soft lamps. --light AZ,EL is a lamp far away, in degrees\n"
     "from the camera to the right and upwards; a white matte surface that faces it shows as 1.\n"
-    "Colours are radiance times 2^exposure, clipped at 1; --exposure is 0, and automatic with --env.";
+    "Colours are radiance times 2^exposure, clipped at 1. --exposure is 0, automatic with --env.";
 
 void addSphereOptions(CLI::App& app, SphereSettings& settings) {
     SphereSettings& s = settings;

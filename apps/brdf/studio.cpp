@@ -13,7 +13,8 @@ struct SoftBox {
     float azimuth, elevation, halfWidth, halfHeight, radiance;
 };
 
-constexpr SoftBox kBoxes[] = {{-42, 42, 24, 20, 3.6f}, {128, 18, 9, 38, 4.5f}, {68, -2, 16, 26, 0.7f}};
+constexpr SoftBox kBoxes[] = {
+    {-42, 42, 24, 20, 3.6f}, {128, 18, 9, 38, 4.5f}, {68, -2, 16, 26, 0.7f}};
 constexpr float kEdge = 3;  // degrees over which a box fades
 
 float smoothStep(float low, float high, float x) {

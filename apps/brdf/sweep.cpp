@@ -18,9 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kNotes =
-    "A number goes from --from to --to, which are the ends of its range; ranges up to 1000 and more\n"
-    "in steps of a factor, from 1 where they begin below. Of choices and switches every value is\n"
-    "shown. All other parameters stay as MODEL and --set say.\n\n"
+    "A number goes from --from to --to, which are the ends of its range; a range up to 1000 and\n"
+    "more in steps of a factor, from 1 where it begins below. Of choices and switches every value\n"
+    "is shown. All other parameters stay as MODEL and --set say.\n\n"
     "Examples:\n"
     "  glitterpath brdf sweep disney --param roughness --steps 6 -o roughness.png\n"
     "  glitterpath brdf sweep disney --param metallic specular roughness anisotropic sheen \\\n"

@@ -147,10 +147,10 @@ TEST(BrdfExport, RefusesWhatItCannotDo) {
     expectError(runTool({"brdf", "export", "lambert"}), 2, "-o");
     expectError(runTool({"brdf", "export", "lambert", "-o", folder("x.bin")}), 2,
                 "does not end with .binary");
-    expectError(runTool({"brdf", "export", "lambrt", "-o", out}), 1, "did you mean lambert?");
+    expectError(runTool({"brdf", "export", "lambrt", "-o", out}), 2, "did you mean lambert?");
     expectError(runTool({"brdf", "export", "lambert", "-o", folder("no/x.binary")}), 1,
                 "no folder");
-    expectError(runTool({"brdf", "export", "measured", "-o", out}), 1, "is made from a file");
+    expectError(runTool({"brdf", "export", "measured", "-o", out}), 2, "is made from a file");
     EXPECT_EQ(folder.fileCount(), 0u);
 }
 
