@@ -1,5 +1,5 @@
-// GP_MODE_LOCAL: lamps over a plane against the light of points in closed form, every lighting model
-// against its own values, and what interpolation makes of them.
+// GP_MODE_LOCAL: lamps over a plane against the light of points in closed form, every lighting
+// model against its own values, and what interpolation makes of them.
 #include <cmath>
 #include <functional>
 
