@@ -20,7 +20,7 @@ constexpr const char* kNotes =
     "                  --phi-i (opposite to --phi-v, so that +theta-i is the mirror's direction)\n"
     "  theta-h         f over the half vector's angle, for --theta-d and --phi-d, --phi-h\n"
     "  theta-d         f over the difference angle, for --theta-h and --phi-d, --phi-h\n"
-    "  albedo          share of the light from theta_o and --phi-v that leaves again, by --samples\n"
+    "  albedo          share of light from theta_o and --phi-v that leaves again, by --samples\n"
     "                  samples; the legend has the average albedo, the table the errors\n"
     "  3d              f as the radius of a surface over all views, for --theta-i and --phi-i\n"
     "Gaps are directions below the horizon. --log: a logarithmic axis; in polar and 3d the radius\n"

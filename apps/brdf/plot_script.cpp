@@ -148,7 +148,8 @@ std::string polarScript(const CurveSettings& settings, const PlotLook& look, dou
         "set polar\nset angles degrees\nset theta top cw\nset rrange [0:{0}]\nunset border\n"
         "unset xtics\nunset ytics\nset rtics {6} scale 0.5\nset grid polar 15\n"
         "set ttics ('0°' 0, '30°' 30, '60°' 60, '90°' 90, '120°' 120, '150°' 150, '±180°' 180, "
-        "'-30°' 330, '-60°' 300, '-90°' 270, '-120°' 240, '-150°' 210)\nset xrange [{1}:{2}]\nset yrange [{3}:{2}]\nset size ratio -1\n"
+        "'-30°' 330, '-60°' 300, '-90°' 270, '-120°' 240, '-150°' 210)\n"
+        "set xrange [{1}:{2}]\nset yrange [{3}:{2}]\nset size ratio -1\n"
         "set label '{4}{5}' at graph 0.5, graph -0.03 center\n",
         r, -t, t, whole ? -t : -0.12 * r, look.logarithmic ? "log10(1 + value), value: " : "",
         quantity(settings), step);
@@ -232,10 +233,9 @@ GnuplotJob curvesJob(const std::vector<Curve>& curves, const CurveSettings& sett
     refuseNothing(largest, look.logarithmic);
     GnuplotJob job;
     job.width = look.width;
-    // The legend stands below the picture, a line for each of its rows.
     job.height = look.height;
-    job.script = fmt::format("set key outside bottom center horizontal reverse Left\nset title {} noenhanced\n",
-                             gnuplotText(titleOf(settings)));
+    job.script = fmt::format("set key outside bottom center horizontal reverse Left\n"
+                             "set title {} noenhanced\n", gnuplotText(titleOf(settings)));
     job.script += polar ? polarScript(settings, look, largest, lines)
                         : cartesianScript(settings, look, lines, largest);
     std::string data;
@@ -254,7 +254,8 @@ GnuplotJob lobesJob(const std::vector<Lobe>& lobes, const CurveSettings& setting
     job.width = look.width;
     job.height = look.height;
     job.script = fmt::format(
-        "set multiplot layout {},{} title '{}{}'\nunset key\nset view equal xyz\nset view 62,330,1.2\nset ticslevel 0\n"
+        "set multiplot layout {},{} title '{}{}'\nunset key\nset view equal xyz\n"
+        "set view 62,330,1.2\nset ticslevel 0\n"
         "set pm3d depthorder noborder lighting primary 0.6 specular 0.1\nset palette defined "
         "(0 '#1B3A5C', 0.35 '#2C8C99', 0.7 '#A8D08D', 1 '#FFE066')\nunset colorbox\n"
         "set xlabel 'x'\nset ylabel 'y'\n",

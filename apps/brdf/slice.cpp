@@ -20,10 +20,11 @@ namespace gp::tool {
 namespace {
 
 constexpr const char* kNotes =
-    "A picture a model: θ_h (the half vector's angle) to the right, θ_d (the light's angle to it)\n"
-    "upwards, both 0 to 90 degrees. The highlight is on the left, the Fresnel reflection above, the\n"
-    "light that comes back to its source below. Colours are f times 2^exposure, clipped at 1. Below\n"
-    "the horizon there is a grey check; what is not finite is magenta.\n\n"
+    "A picture a model: theta_h (the half vector's angle) to the right, theta_d (the light's\n"
+    "angle to it) upwards, both 0 to 90 degrees. The highlight is on the left, the Fresnel\n"
+    "reflection above, the light that comes back to its source below. Colours are f times\n"
+    "2^exposure, clipped at 1. Below the horizon there is a grey check; what is not finite is\n"
+    "magenta.\n\n"
     "--difference: the luminance of the first model minus that of the second, blue to red, with a\n"
     "scale that ends at the largest difference, or at 2^-exposure where --exposure is given.\n\n"
     "Examples:\n"
@@ -82,12 +83,6 @@ bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Rgb8 encoded(const glm::vec3& srgb) {
-    const glm::vec3 v = glm::clamp(srgb, 0.0f, 1.0f) * 255.0f + 0.5f;
-    return {static_cast<unsigned char>(v.x), static_cast<unsigned char>(v.y),
-            static_cast<unsigned char>(v.z)};
-}
-
 Rgb8 outside(std::size_t i, unsigned size) {
     const bool dark = ((i % size) / 8 + (i / size) / 8) % 2 == 0;
     return dark ? Rgb8{150, 150, 150} : Rgb8{190, 190, 190};
@@ -128,7 +123,7 @@ GridPicture slicePicture(const std::string& title, const std::vector<glm::vec3>&
             shown = largest > 0.0f ? values[i] / largest : glm::vec3(0.0f);
         }
         const glm::vec3 linear = glm::clamp(shown, 0.0f, 1.0f);
-        picture.pixels.push_back(encoded(metrics::srgbFromLinear(linear)));
+        picture.pixels.push_back(rgb8FromSrgb(metrics::srgbFromLinear(linear)));
     }
     return picture;
 }
@@ -157,7 +152,7 @@ void addDifference(PictureGrid& sheet, const std::vector<std::vector<glm::vec3>>
     for (std::size_t i = 0; i < grid.count(); ++i) {
         const double d = differences[i];
         picture.pixels.push_back(!grid.valid(i)      ? outside(i, settings.size)
-                                 : std::isfinite(d) ? encoded(diverging(d / range))
+                                 : std::isfinite(d) ? rgb8FromSrgb(diverging(d / range))
                                                     : kNotFinite);
     }
     sheet.pictures.push_back(std::move(picture));
@@ -166,7 +161,7 @@ void addDifference(PictureGrid& sheet, const std::vector<std::vector<glm::vec3>>
     bar.minimum = -range;
     bar.maximum = range;
     for (int i = 0; i < 255; ++i) {
-        bar.colors.push_back(encoded(diverging(i / 127.0 - 1.0)));
+        bar.colors.push_back(rgb8FromSrgb(diverging(i / 127.0 - 1.0)));
     }
     sheet.bar = bar;
 }

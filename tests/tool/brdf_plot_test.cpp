@@ -82,8 +82,9 @@ TEST(BrdfPlot, HalfAnglesEndAtTheHorizon) {
 
 TEST(BrdfPlot, AlbedoKnowsItsError) {
     const TestFolder folder;
-    const Table table = plotted(folder, {"lambert:base_color=0.3", "ggx_conductor", "ggx_dielectric",
-                                         "--set", "alpha_x=1", "alpha_y=1", "--kind", "albedo"});
+    const Table table = plotted(folder, {"lambert:base_color=0.3", "ggx_conductor",
+                                         "ggx_dielectric", "--set", "alpha_x=1",
+                                         "alpha_y=1", "--kind", "albedo"});
     for (const Table::Row& row : table.rows()) {
         if (row.text("model")[0] == 'l') {
             EXPECT_NEAR(row.number("r"), 0.3, 1e-6);
