@@ -197,6 +197,21 @@ void GlbBuilder::addCamera(const Camera& camera)
                              p.x, p.y, p.z, 1}}});
 }
 
+void GlbBuilder::addPointLight(const std::string& name, glm::vec3 position, glm::vec3 color,
+                               float wattsPerSteradian)
+{
+    constexpr float lumenPerWatt = 683.0f;  // glTF counts in candela
+    use("KHR_lights_punctual");
+    json& lights = m_gltf["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back({{"name", name},
+                      {"type", "point"},
+                      {"color", {color.x, color.y, color.z}},
+                      {"intensity", wattsPerSteradian * lumenPerWatt}});
+    addRootNode({{"name", name},
+                 {"translation", {position.x, position.y, position.z}},
+                 {"extensions", {{"KHR_lights_punctual", {{"light", lastIndex(lights)}}}}}});
+}
+
 void GlbBuilder::write(const std::string& path)
 {
     m_binary.resize((m_binary.size() + 3) / 4 * 4);
