@@ -636,6 +636,22 @@ typedef struct GpBsdfValue {
     float pdf;  /* 1/sr: how densely wi is sampled for this wo */
 } GpBsdfValue;
 
+/* Bits of GpBsdfSample.lobe. */
+enum {
+    GP_LOBE_DIFFUSE = 1,
+    GP_LOBE_GLOSSY = 2,
+    GP_LOBE_SPECULAR = 4,    /* narrower than 1e-3: as good as a mirror */
+    GP_LOBE_TRANSMISSION = 8 /* wi lies on the other side of the surface */
+};
+
+typedef struct GpBsdfSample {
+    float wi[3];     /* to the light, unit length; zeros where the sample failed, and all else too */
+    float pdf;       /* 1/sr */
+    float weight[3]; /* f |cos_i| / pdf: its mean is the directional albedo. Of radiance: what is
+                        refracted has the factor (index at wo / index at wi)^2 */
+    uint32_t lobe;   /* GP_LOBE_ bits */
+} GpBsdfSample;
+
 /* All models with their parameters, ranges, defaults and references as a JSON text; sizes as in
  * gpDescribeScene. */
 GP_API GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed);
@@ -650,6 +666,11 @@ GP_API GpError gpDescribeBsdf(GpBsdf bsdf, char* text, size_t size, size_t* need
  * floats each, of any length but 0; normal +Z, tangent +X. */
 GP_API GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* wo,
                               GpBsdfValue* values);
+/* `count` samples, at most 2^26: a direction wi for each wo from three numbers at u, at least 0 and
+ * below 1; the first chooses the lobe, the others the direction. Use good random numbers: their
+ * errors are the errors of what is computed with the samples. */
+GP_API GpError gpSampleBsdf(GpBsdf bsdf, size_t count, const float* wo, const float* u,
+                            GpBsdfSample* samples);
 
 #ifdef __cplusplus
 }

@@ -235,6 +235,33 @@ private:
     size_t pixels_ = 0;
 };
 
+// A reflectance model on its own; arrays as for gpEvaluateBsdf and gpSampleBsdf.
+class Bsdf : public Owner<GpBsdf, gpReleaseBsdf> {
+public:
+    Bsdf() = default;
+    Bsdf(const Device& d, const GpBsdfDesc& desc)
+        : Owner(detail::checked(gpNewBsdf(d.get(), &desc), d.get()), d.get()) {}
+    Bsdf(const Device& d, const std::string& model,
+         const std::vector<GpBsdfParameter>& parameters = {})
+        : Bsdf(d, descOf(model, parameters)) {}
+    void evaluate(size_t count, const float* wi, const float* wo, GpBsdfValue* values) const {
+        check(gpEvaluateBsdf(get(), count, wi, wo, values));
+    }
+    void sample(size_t count, const float* wo, const float* u, GpBsdfSample* samples) const {
+        check(gpSampleBsdf(get(), count, wo, u, samples));
+    }
+
+private:
+    static GpBsdfDesc descOf(const std::string& model,
+                             const std::vector<GpBsdfParameter>& parameters) {
+        GpBsdfDesc desc{};
+        desc.model = model.c_str();
+        desc.parameters = parameters.data();
+        desc.parameterCount = uint32_t(parameters.size());
+        return desc;
+    }
+};
+
 }  // namespace wrapper
 }  // namespace gp
 #endif

@@ -1,4 +1,7 @@
 #include <nlohmann/json.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "api/check.h"
 #include "scene/bsdf_dialect.h"
@@ -6,13 +9,16 @@
 
 namespace gp::api {
 
+static_assert(GP_LOBE_DIFFUSE == int(bsdfLobeDiffuse) && GP_LOBE_GLOSSY == int(bsdfLobeGlossy)
+              && GP_LOBE_SPECULAR == int(bsdfLobeSpecular)
+              && GP_LOBE_TRANSMISSION == int(bsdfLobeTransmission));
 static_assert(GP_DIALECT_WDAS == int(BsdfDialect::wdas) && GP_DIALECT_BBM == int(BsdfDialect::bbm));
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t valueLimit = size_t(1) << 26;  // 1 GiB of values
+constexpr size_t valueLimit = size_t(1) << 26;  // 1 GiB of values, 2 of samples
 
 Json jsonOf(const BsdfParameterInfo& p, const glm::vec3& value) {
     if (p.type == BsdfParameterType::boolean) return value.x > 0.5f;
@@ -86,12 +92,57 @@ BsdfSettings settingsFrom(const GpBsdfDesc& desc) {
     }
 }
 
+// Every one before any is used, so that the first wrong one is named, whatever the threads do.
+void checkDirections(const float* all, size_t count, const char* field) {
+    checkPointer(all, field);
+    for (size_t i = 0; i < count; ++i) {
+        const float* v = all + 3 * i;
+        const bool finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+        if (!finite) checkFinite(v, 3, fmt::format("{}[{}]", field, i));
+        if (allZero(v, 3)) fail(GP_ERROR_OUT_OF_RANGE, "{}[{}] has no length", field, i);
+    }
+}
+
+void checkRandomNumbers(const float* u, size_t count) {
+    checkPointer(u, "u");
+    for (size_t i = 0; i < 3 * count; ++i) {
+        if (!(u[i] >= 0.0f && u[i] < 1.0f))
+            fail(std::isfinite(u[i]) ? GP_ERROR_OUT_OF_RANGE : GP_ERROR_NOT_FINITE,
+                 "u[{}][{}] is {}, which is not at least 0 and below 1", i / 3, i % 3, u[i]);
+    }
+}
+
+void checkCount(size_t count) {
+    if (count > valueLimit)
+        fail(GP_ERROR_TOO_LARGE, "count is {}, more than {}", count, valueLimit);
+}
+
 // Normalised in double: the float's own error is all that is left.
-glm::vec3 directionFrom(const float* all, size_t index, const char* field) {
-    const float* v = all + 3 * index;
-    checkFinite(v, 3, fmt::format("{}[{}]", field, index));
-    if (allZero(v, 3)) fail(GP_ERROR_OUT_OF_RANGE, "{}[{}] has no length", field, index);
-    return glm::vec3(glm::normalize(glm::dvec3(vec3From(v))));
+glm::vec3 directionAt(const float* all, size_t index) {
+    return glm::vec3(glm::normalize(glm::dvec3(vec3From(all + 3 * index))));
+}
+
+// body(index) for all of them, on the device's threads where there are many.
+template <class Body>
+void forEachIndex(const BsdfObject& object, size_t count, const Body& body) {
+    constexpr size_t grain = 1024;  // some hundred microseconds, as threads take time to wake
+    const auto part = [&](const tbb::blocked_range<size_t>& range) {
+        for (size_t i = range.begin(); i < range.end(); ++i) body(i);
+    };
+    const tbb::blocked_range<size_t> all(0, count, grain);
+    if (count <= grain) return part(all);
+    const uint32_t threads = object.device->threads;
+    tbb::task_arena arena(threads > 0 ? int(threads) : tbb::task_arena::automatic);
+    arena.execute([&] { tbb::parallel_for(all, part); });
+}
+
+GpBsdfValue valueOf(const BsdfReading& reading) {
+    return {{reading.f.x, reading.f.y, reading.f.z}, reading.pdf};
+}
+
+GpBsdfSample sampleOf(const BsdfDraw& draw) {
+    return {{draw.wi.x, draw.wi.y, draw.wi.z}, draw.pdf,
+            {draw.weight.x, draw.weight.y, draw.weight.z}, draw.lobe};
 }
 
 }  // namespace
@@ -129,19 +180,29 @@ GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* 
                        GpBsdfValue* values) {
     return enter("gpEvaluateBsdf", "bsdf", bsdf, [&](BsdfObject& b) {
         if (count == 0) return;
-        if (count > valueLimit)
-            fail(GP_ERROR_TOO_LARGE, "count is {}, more than {}", count, valueLimit);
-        checkPointer(wi, "wi");
-        checkPointer(wo, "wo");
+        checkCount(count);
+        checkDirections(wi, count, "wi");
+        checkDirections(wo, count, "wo");
         checkPointer(values, "values");
-        std::vector<GpBsdfValue> results(count);  // so that a failed call changes nothing
-        for (size_t i = 0; i < count; ++i) {
-            const gp::BsdfReading reading = gp::evaluateBsdf(
-                *b.settings, directionFrom(wi, i, "wi"), directionFrom(wo, i, "wo"));
-            for (int k = 0; k < 3; ++k) results[i].f[k] = reading.f[k];
-            results[i].pdf = reading.pdf;
-        }
-        std::memcpy(values, results.data(), count * sizeof(GpBsdfValue));
+        const gp::PreparedBsdf model(*b.settings);
+        forEachIndex(b, count, [&](size_t i) {
+            values[i] = valueOf(model.evaluate(directionAt(wi, i), directionAt(wo, i)));
+        });
+    });
+}
+
+GpError gpSampleBsdf(GpBsdf bsdf, size_t count, const float* wo, const float* u,
+                     GpBsdfSample* samples) {
+    return enter("gpSampleBsdf", "bsdf", bsdf, [&](BsdfObject& b) {
+        if (count == 0) return;
+        checkCount(count);
+        checkDirections(wo, count, "wo");
+        checkRandomNumbers(u, count);
+        checkPointer(samples, "samples");
+        const gp::PreparedBsdf model(*b.settings);
+        forEachIndex(b, count, [&](size_t i) {
+            samples[i] = sampleOf(model.sample(directionAt(wo, i), vec3From(u + 3 * i)));
+        });
     });
 }
 

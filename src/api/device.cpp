@@ -37,6 +37,7 @@ GpDevice newDevice(const GpDeviceDesc& desc) {
     auto device = std::make_shared<DeviceObject>();
     device->backend = newBackend(desc);
     device->name = device->backend->name();
+    device->threads = desc.threads;
     device->errorCallback = desc.errorCallback;
     device->errorUser = desc.errorUser;
     device->defaultMaterial = std::make_shared<const Material>();

@@ -25,6 +25,7 @@ struct SceneObject;
 struct DeviceObject final : Object {
     std::unique_ptr<Backend> backend;
     std::string name;
+    uint32_t threads = 0;                 // 0: all processors
     HandleBits self = 0;
     GpErrorCallback errorCallback = nullptr;
     void* errorUser = nullptr;

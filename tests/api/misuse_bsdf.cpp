@@ -37,6 +37,51 @@ Row directionRow(const char* what, GpError expected, const char* message, float 
             }};
 }
 
+// One sample with a wrong number in wo or u.
+Row sampleRow(const char* what, GpError expected, const char* message, float z, float number) {
+    return {"gpSampleBsdf", what, expected, message, [z, number](World& w) {
+                const float wo[6] = {0, 0, 1, 0, 0, z}, u[6] = {0, 0, 0, 0.5f, 0.5f, number};
+                GpBsdfSample samples[2] = {};
+                samples[0].pdf = 5;
+                const GpError error = gpSampleBsdf(w.bsdf, 2, wo, u, samples);
+                return samples[0].pdf == 5 ? error : GP_SUCCESS;
+            }};
+}
+
+void addSampleRows(Rows& rows) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    rows.push_back(sampleRow("a view that is NaN", GP_ERROR_NOT_FINITE, "wo[1][2] is nan", nan,
+                             0.5f));
+    rows.push_back(sampleRow("a view of no length", GP_ERROR_OUT_OF_RANGE, "wo[1] has no length",
+                             0, 0.5f));
+    rows.push_back(sampleRow("a random number of 1", GP_ERROR_OUT_OF_RANGE, "u[1][2] is 1", 1, 1));
+    rows.push_back(sampleRow("a negative random number", GP_ERROR_OUT_OF_RANGE, "u[1][2] is -1",
+                             1, -1));
+    rows.push_back(sampleRow("a random number that is NaN", GP_ERROR_NOT_FINITE, "u[1][2] is nan",
+                             1, nan));
+    rows.push_back({"gpSampleBsdf", "no views", GP_ERROR_INVALID_ARGUMENT, "wo is NULL",
+                    [](World& w) { return gpSampleBsdf(w.bsdf, 1, nullptr, nullptr, nullptr); }});
+    rows.push_back({"gpSampleBsdf", "no random numbers", GP_ERROR_INVALID_ARGUMENT, "u is NULL",
+                    [](World& w) {
+                        const float up[3] = {0, 0, 1};
+                        return gpSampleBsdf(w.bsdf, 1, up, nullptr, nullptr);
+                    }});
+    rows.push_back({"gpSampleBsdf", "nowhere to write", GP_ERROR_INVALID_ARGUMENT,
+                    "samples is NULL", [](World& w) {
+                        const float up[3] = {0, 0, 1}, u[3] = {0, 0, 0};
+                        return gpSampleBsdf(w.bsdf, 1, up, u, nullptr);
+                    }});
+    rows.push_back({"gpSampleBsdf", "too many", GP_ERROR_TOO_LARGE, "count is 67108865",
+                    [](World& w) {
+                        return gpSampleBsdf(w.bsdf, 67108865, nullptr, nullptr, nullptr);
+                    }});
+    addHandleRows<GpBsdf>(rows, "gpSampleBsdf", "bsdf", [](World&, GpBsdf b) {
+        const float up[3] = {0, 0, 1}, u[3] = {0, 0, 0};
+        GpBsdfSample sample;
+        return gpSampleBsdf(b, 1, up, u, &sample);
+    });
+}
+
 void addDescriptionRows(Rows& rows) {
     rows.push_back({"gpDescribeBsdfModels", "a buffer that is too small",
                     GP_ERROR_INVALID_OPERATION, "size is 3", [](World& w) {
@@ -93,6 +138,7 @@ Rows bsdfRows() {
          }},
     };
     addDescriptionRows(rows);
+    addSampleRows(rows);
     addHandleRows<GpDevice>(rows, "gpNewBsdf", "device", [](World&, GpDevice d) {
         GpBsdfDesc desc{};
         desc.model = "lambert";

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/quadrature.h"
+#include "chi2/quadrature.h"
 
 namespace gp::test {
 

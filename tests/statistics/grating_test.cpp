@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "shading/shading.h"
-#include "statistics/quadrature.h"
+#include "chi2/quadrature.h"
 #include "statistics/random.h"
 
 namespace gp::test {

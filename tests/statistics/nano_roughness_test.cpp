@@ -4,7 +4,7 @@
 
 #include "shading/shading.h"
 #include "statistics/golden.h"
-#include "statistics/quadrature.h"
+#include "chi2/quadrature.h"
 #include "statistics/random.h"
 
 namespace gp::test {

@@ -1,4 +1,4 @@
-// Pearson's chi-square test of a table of counts, apart from what was counted (chi2.h has that).
+// Pearson's chi-square test of a table of counts, apart from what was counted (grids.h has that).
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,17 @@
 
 #include <fmt/format.h>
 
-#include "statistics/random.h"
+#include "chi2/random.h"
 
-namespace gp::test {
+namespace gp {
 
 struct Chi2Options {
     std::string name;              // in messages and in the name of a dumped table
     std::uint64_t seed = 1;
-    std::size_t samples = longTests() ? 10'000'000 : 1'000'000;
+    std::size_t samples = 1'000'000;
     double significance = 0.01;    // of the whole family of tests …
     std::size_t testCount = 1;     // … which has so many members (Sidak's correction)
+    std::filesystem::path tableFolder;  // where failed tests leave their tables; empty: nowhere
 };
 
 struct Chi2Result {
@@ -78,9 +79,8 @@ inline std::string dumpTable(const Chi2Options& options, const Chi2Table& table)
     for (char& c : file) {
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     }
-    const std::filesystem::path folder = std::filesystem::path(GP_BINARY_DIR) / "chi2_tables";
-    std::filesystem::create_directories(folder);
-    const std::filesystem::path path = folder / (file + ".csv");
+    std::filesystem::create_directories(options.tableFolder);
+    const std::filesystem::path path = options.tableFolder / (file + ".csv");
     std::ofstream out(path);
     out << "cell,observed,expected,deviation\n";
     for (std::size_t i = 0; i < table.observed.size(); ++i) {
@@ -127,8 +127,9 @@ inline Chi2Result chi2Test(const Chi2Options& options, const Chi2Table& table) {
         "{}: chi2 = {:.1f}, {} degrees of freedom, p = {:.3g} (needed {:.3g}), {} samples where the"
         " density is 0", options.name, result.statistic, result.degrees, result.pValue, threshold,
         impossible);
-    if (!result.passed) result.message += "; table in " + dumpTable(options, table);
+    if (!result.passed && !options.tableFolder.empty())
+        result.message += "; table in " + dumpTable(options, table);
     return result;
 }
 
-}  // namespace gp::test
+}  // namespace gp

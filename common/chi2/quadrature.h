@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace gp::test {
+namespace gp {
 
 struct QuadratureTolerance {
     double relative = 3e-4;
@@ -83,4 +83,4 @@ double integratePieces(const F& f, double a, double b, std::vector<double> break
     return sum + integrate(f, from, b, tolerance, depth);
 }
 
-}  // namespace gp::test
+}  // namespace gp
