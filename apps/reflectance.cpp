@@ -77,6 +77,27 @@ GpBsdfValue evaluate(GpDevice device, const Bsdf& bsdf, const Direction& wi, con
     return value;
 }
 
+std::vector<GpBsdfValue> evaluate(GpDevice device, const Bsdf& bsdf,
+                                  const std::vector<glm::vec3>& wi,
+                                  const std::vector<glm::vec3>& wo) {
+    std::vector<GpBsdfValue> values(wi.size());
+    if (!wi.empty()) {
+        check(device, gpEvaluateBsdf(bsdf.get(), wi.size(), &wi[0].x, &wo[0].x,
+                                     values.data()));
+    }
+    return values;
+}
+
+std::vector<GpBsdfSample> sample(GpDevice device, const Bsdf& bsdf,
+                                 const std::vector<glm::vec3>& wo,
+                                 const std::vector<glm::vec3>& u) {
+    std::vector<GpBsdfSample> samples(wo.size());
+    if (!wo.empty()) {
+        check(device, gpSampleBsdf(bsdf.get(), wo.size(), &wo[0].x, &u[0].x, samples.data()));
+    }
+    return samples;
+}
+
 GpBsdfDialect parseDialect(const std::string& word) {
     constexpr std::pair<const char*, GpBsdfDialect> choices[] = {
         {"own", GP_DIALECT_OWN}, {"wdas", GP_DIALECT_WDAS}, {"bbm", GP_DIALECT_BBM}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glitterpath/glitterpath.h>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -29,6 +30,15 @@ nlohmann::ordered_json describeBsdf(GpDevice device, const Bsdf& bsdf);
 
 // wi to the light, wo to the viewer, of any length but 0. Throws RunError.
 GpBsdfValue evaluate(GpDevice device, const Bsdf& bsdf, const Direction& wi, const Direction& wo);
+
+// The same for many; of unit length.
+std::vector<GpBsdfValue> evaluate(GpDevice device, const Bsdf& bsdf,
+                                  const std::vector<glm::vec3>& wi,
+                                  const std::vector<glm::vec3>& wo);
+// u: three numbers at least 0 and below 1.
+std::vector<GpBsdfSample> sample(GpDevice device, const Bsdf& bsdf,
+                                 const std::vector<glm::vec3>& wo,
+                                 const std::vector<glm::vec3>& u);
 
 // "own", "wdas" or "bbm". Throws UsageError.
 GpBsdfDialect parseDialect(const std::string& word);

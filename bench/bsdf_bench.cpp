@@ -1,8 +1,13 @@
-// Nanoseconds for one evaluation and one sample of the reflectance models, over views and lights
-// that change with every call.
+// Nanoseconds for one evaluation and one sample of every model of models.def with its defaults, on
+// one core, over views and lights that change with every call; and what terms cost that are off.
+// scripts/bench --only bsdf writes it down. Every row is checked first: no result may be NaN or
+// infinite.
+#include <array>
+#include <bit>
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include "shading/shading.h"
 
@@ -29,65 +34,171 @@ std::vector<Input> makeInputs() {
     return inputs;
 }
 
-BsdfParams paramsOf(uint model) {
-    BsdfParams m = bsdf_params_of(model);
-    m.base_color = vec3(0.8f, 0.6f, 0.3f);
-    m.alpha_x = m.alpha_y = 0.2f;
-    return m;
+const std::vector<Input>& inputs() {
+    static const std::vector<Input> made = makeInputs();
+    return made;
 }
 
-BsdfParams everything() {
-    BsdfParams m = paramsOf(MODEL_GLTF);
-    m.metallic = 0.3f;
-    m.coat = 0.5f;
-    m.coat_alpha = 0.05f;
-    m.sheen_color = vec3(0.3f);
-    m.sheen_alpha = 0.3f;
-    m.transmission = 0.5f;
-    m.iridescence = 0.5f;
-    return m;
-}
+// set_disney_sheen(m, 0.5f) and all the others, wherever parameters.def keeps them.
+#define BSDF_PARAMETER(number, accessor, name, type, slot, initial, minimum, maximum, outside, \
+                       unit, text) \
+    [[maybe_unused]] void set_##accessor(BsdfParams& m, auto value) { \
+        BSDF_SET_##type(m.slot, value) \
+    }
+#include "shading/bsdf/parameters.def"
+#undef BSDF_PARAMETER
 
+using Eval = BsdfValue (*)(const BsdfParams&, vec3, vec3);
+using Sample = BsdfSample (*)(const BsdfParams&, vec3, float, vec2);
+using Known = void (*)(BsdfParams&);
+
+void nothing(BsdfParams&) {}
+
+// `known` writes parameters behind the optimiser's veil: their terms are compiled out, as if the
+// model had never had them.
+template <Eval eval, Known known = nothing>
 void evaluate(benchmark::State& state, BsdfParams m) {
-    const std::vector<Input> inputs = makeInputs();
     std::size_t i = 0;
     for (auto _ : state) {
-        const Input& in = inputs[i++ % inputs.size()];
+        const Input& in = inputs()[i++ % 4096];
         benchmark::DoNotOptimize(m);
-        BsdfValue v = bsdf_eval(m, in.wo, in.wi);
+        BsdfParams local = m;
+        known(local);
+        BsdfValue v = eval(local, in.wo, in.wi);
         benchmark::DoNotOptimize(v);
     }
 }
 
+template <Sample sampleOf>
 void sample(benchmark::State& state, BsdfParams m) {
-    const std::vector<Input> inputs = makeInputs();
     std::size_t i = 0;
     for (auto _ : state) {
-        const Input& in = inputs[i++ % inputs.size()];
+        const Input& in = inputs()[i++ % 4096];
         benchmark::DoNotOptimize(m);
-        BsdfSample s = bsdf_sample(m, in.wo, in.u.x, vec2(in.u.y, in.u.z));
+        BsdfSample s = sampleOf(m, in.wo, in.u.x, vec2(in.u.y, in.u.z));
         benchmark::DoNotOptimize(s);
     }
 }
 
-BsdfParams metal() {
-    BsdfParams m = paramsOf(MODEL_GLTF);
-    m.metallic = 1.0f;
-    return m;
+// -fno-trapping-math leaves NaN alone, but not so the exponent of a compiler that is told of finite
+// numbers only: bits are the same everywhere.
+bool finite(float x) {
+    return (std::bit_cast<uint>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-#define GP_BSDF_BENCH(name, params)             \
-    BENCHMARK_CAPTURE(evaluate, name, params);  \
-    BENCHMARK_CAPTURE(sample, name, params);
+bool finite(vec3 v) {
+    return finite(v.x) && finite(v.y) && finite(v.z);
+}
 
-GP_BSDF_BENCH(lambert, paramsOf(MODEL_LAMBERT))
-GP_BSDF_BENCH(ggx_conductor, paramsOf(MODEL_GGX_CONDUCTOR))
-GP_BSDF_BENCH(beckmann_conductor, paramsOf(MODEL_BECKMANN_CONDUCTOR))
-GP_BSDF_BENCH(ggx_dielectric, paramsOf(MODEL_GGX_DIELECTRIC))
-GP_BSDF_BENCH(gltf_plain, paramsOf(MODEL_GLTF))
-GP_BSDF_BENCH(gltf_metal, metal())
-GP_BSDF_BENCH(gltf_everything, everything())
+bool staysFinite(const BsdfParams& m) {
+    for (const Input& in : inputs()) {
+        const BsdfValue v = bsdf_eval(m, in.wo, in.wi);
+        const BsdfSample s = bsdf_sample(m, in.wo, in.u.x, vec2(in.u.y, in.u.z));
+        if (!finite(v.f_cos) || !finite(v.pdf) || !finite(s.weight) || !finite(s.pdf)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct Row {
+    const char* name;
+    uint model;
+};
+
+constexpr Row rows[] = {
+#define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, cite, text) \
+    {#name, number},
+#include "shading/bsdf/models.def"
+#undef BSDF_MODEL
+};
+
+BsdfParams paramsOf(uint model) {
+    return bsdf_prepared(bsdf_params_of(model));
+}
+
+bool registerModels() {
+    bool good = true;
+    for (const Row& row : rows) {
+        const BsdfParams m = paramsOf(row.model);
+        if (!staysFinite(m)) {
+            fmt::print(stderr, "bsdf_bench: {} is not finite\n", row.name);
+            good = false;
+        }
+        benchmark::RegisterBenchmark(fmt::format("eval/{}", row.name).c_str(),
+                                     evaluate<bsdf_eval>, m);
+        benchmark::RegisterBenchmark(fmt::format("sample/{}", row.name).c_str(),
+                                     sample<bsdf_sample>, m);
+    }
+    return good;
+}
+
+// What everyone starts with: half a metal, half matte.
+BsdfValue ggx_and_lambert_eval(const BsdfParams& m, vec3 wo, vec3 wi) {
+    const BsdfValue metal = ggx_conductor_eval(m, wo, wi);
+    const BsdfValue matte = lambert_eval(m, wo, wi);
+    BsdfValue v;
+    v.f_cos = 0.5f * (metal.f_cos + matte.f_cos);
+    v.pdf = 0.5f * (metal.pdf + matte.pdf);
+    return v;
+}
+
+// Three times the same model: with the term, with it switched off, and without it in the code.
+template <Eval eval, Known off>
+void registerTerm(const char* name, const BsdfParams& on) {
+    BsdfParams without = on;
+    off(without);
+    const auto called = [&](const char* how) { return fmt::format("term/{}/{}", name, how); };
+    benchmark::RegisterBenchmark(called("on").c_str(), evaluate<eval>, on);
+    benchmark::RegisterBenchmark(called("off").c_str(), evaluate<eval>, without);
+    benchmark::RegisterBenchmark(called("absent").c_str(), evaluate<eval, off>, without);
+}
+
+void withoutFilm(BsdfParams& m) { m.iridescence = 0.0f; }
+void withoutMultiple(BsdfParams& m) { set_kulla_conty_multiple(m, 0.0f); }
+void withoutDiffraction(BsdfParams& m) { set_two_scale_sigma_um(m, 0.0f); }
+void withoutSheen(BsdfParams& m) { set_disney_sheen(m, 0.0f); }
+void withoutCoat(BsdfParams& m) { set_disney_clearcoat(m, 0.0f); }
+
+void registerTerms() {
+    BsdfParams film = paramsOf(MODEL_GLTF);
+    film.iridescence = 0.5f;
+    registerTerm<gltf_eval, withoutFilm>("thin film (gltf)", film);
+    registerTerm<kulla_conty_eval, withoutMultiple>("multiple scattering (kulla_conty)",
+                                                    paramsOf(MODEL_KULLA_CONTY));
+    registerTerm<two_scale_eval, withoutDiffraction>("diffraction (holzschuch_pacanowski)",
+                                                     paramsOf(MODEL_TWO_SCALE));
+    BsdfParams disney = paramsOf(MODEL_DISNEY);
+    set_disney_sheen(disney, 0.5f);
+    set_disney_clearcoat(disney, 0.5f);
+    registerTerm<disney_eval, withoutSheen>("sheen (disney)", disney);
+    registerTerm<disney_eval, withoutCoat>("clearcoat (disney)", disney);
+    benchmark::RegisterBenchmark("plain/disney", evaluate<disney_eval>, paramsOf(MODEL_DISNEY));
+    benchmark::RegisterBenchmark("plain/ggx and lambert", evaluate<ggx_and_lambert_eval>,
+                                 paramsOf(MODEL_GGX_CONDUCTOR));
+}
+
+// What evaluation reads of tables: nothing; and what making a material does.
+void addSizes() {
+    const std::size_t albedo = 4 * sizeof(std::array<float, ALBEDO_TABLE_COSINES
+                                                            * ALBEDO_TABLE_WIDTHS>)
+                             + 4 * sizeof(std::array<float, ALBEDO_AVERAGE_WIDTHS>);
+    benchmark::AddCustomContext("bytes_of_albedo_tables", std::to_string(albedo));
+    benchmark::AddCustomContext("bytes_of_a_material", std::to_string(sizeof(BsdfParams)));
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+        return 1;
+    }
+    if (!registerModels()) {
+        return 1;
+    }
+    registerTerms();
+    addSizes();
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -2,7 +2,7 @@
 """Speed, measured: everything that scripts/bench prints and writes.
 
 (a) rays a second against bare Embree over the same rays   (b) seconds against Cycles
-(c) build times   (d) scaling over threads   (e) peak memory
+(c) build times   (d) scaling over threads   (e) peak memory   (f) reflectance models
 Writes results.json and results.md beside this file (or to --output FOLDER).
 """
 import argparse
@@ -13,6 +13,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import report
+from models import models
 from cycles import cycles_is_here, cycles_seconds
 from programs import Programs, ProgramFailed, from_spread, machine, measured, say
 from scenes import FLIGHT_HELMET, HEIGHT, PEER_SCENES, WIDTH, own_scene, prepare_peer_scene
@@ -197,6 +198,8 @@ def arguments():
     parser.add_argument("--quick", action="store_true", help="fewer samples, one round")
     parser.add_argument("--scenes", default="", help="only these, with commas between them")
     parser.add_argument("--no-cycles", action="store_true", help="do not run Blender")
+    parser.add_argument("--only", choices=["bsdf"],
+                        help="measure the reflectance models alone; the rest of results.json stays")
     parser.add_argument("--build", default="build/release", help="build tree (default %(default)s)")
     parser.add_argument("--output", default=os.path.dirname(os.path.abspath(__file__)),
                         help="folder for results.json and results.md (default bench/)")
@@ -236,15 +239,26 @@ def measure(programs, args, folder):
     results["build_times"] = build_times(programs, scenes, effort)
     results["scaling"] = scaling(programs, scenes[:2], effort, folder)
     results["memory"] = memory(programs, scenes + [big_scene(programs, folder)], folder)
+    results["models"] = models(args.build, args.quick)
+    return results
+
+
+def with_models_again(args):
+    """The results on disk with this one section new."""
+    with open(os.path.join(args.output, "results.json"), encoding="utf-8") as file:
+        results = json.load(file)
+    results["models"] = models(args.build, args.quick)
+    if results["models"] is None:
+        sys.exit("bench: nothing was measured")
     return results
 
 
 def main():
     args = arguments()
-    programs = Programs(args.build)
     with tempfile.TemporaryDirectory() as folder:
         try:
-            results = measure(programs, args, folder)
+            results = (with_models_again(args) if args.only
+                       else measure(Programs(args.build), args, folder))
         except ProgramFailed as failure:
             sys.exit(f"bench: {failure}")
     with open(os.path.join(args.output, "results.json"), "w", encoding="utf-8") as file:

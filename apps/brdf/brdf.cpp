@@ -12,7 +12,8 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  glitterpath brdf list\n"
     "  glitterpath brdf eval ward --set alpha_x=0.3 alpha_y=0.1 --wi 0.5,0,1 --wo -0.5,0,1\n"
-    "  glitterpath brdf eval --csv directions.csv -o values.csv\n\n"
+    "  glitterpath brdf eval --csv directions.csv -o values.csv\n"
+    "  glitterpath brdf export disney --set metallic=1 -o metal.binary\n\n"
     "`glitterpath brdf list --help` and `glitterpath brdf eval --help` tell the rest.";
 
 // "list, eval or plot"
@@ -30,7 +31,8 @@ std::string namesOf(const std::vector<Command>& commands) {
 Command addBrdfCommand(CLI::App& tool) {
     CLI::App* app = tool.add_subcommand("brdf", "Look at reflectance models");
     app->footer(kExamples);
-    const std::vector<Command> commands = {addBrdfList(*app), addBrdfEval(*app)};
+    const std::vector<Command> commands = {addBrdfList(*app), addBrdfEval(*app), addBrdfPlot(*app),
+                                           addBrdfSlice(*app), addBrdfExport(*app)};
     return {app, [commands] {
                 for (const Command& command : commands) {
                     if (command.app->parsed()) {

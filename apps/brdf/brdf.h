@@ -7,5 +7,8 @@ namespace gp::tool {
 
 Command addBrdfList(CLI::App& brdf);
 Command addBrdfEval(CLI::App& brdf);
+Command addBrdfPlot(CLI::App& brdf);
+Command addBrdfSlice(CLI::App& brdf);
+Command addBrdfExport(CLI::App& brdf);
 
 }  // namespace gp::tool

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "brdf/brdf.h"
+#include "brdf/models.h"
 #include "brdf/table.h"
 #include "output.h"
 #include "parse.h"
@@ -28,9 +29,8 @@ constexpr const char* kNotes =
     "  glitterpath brdf eval --csv golden_brdf.csv --dialect wdas -o values.csv";
 
 struct EvalSettings {
-    std::string model, outputPath = "-", csvPath, wi, wo;
-    std::vector<std::string> parameterWords;
-    GpBsdfDialect dialect = GP_DIALECT_OWN;
+    ModelOptions models;
+    std::string outputPath = "-", csvPath, wi, wo;
     bool json = false;
 };
 
@@ -43,53 +43,31 @@ Direction directionOf(const char* option, const std::string& word) {
     return d;
 }
 
-Bsdf bsdfOf(GpDevice device, const EvalSettings& settings) {
-    ParameterWords words;
-    for (const std::string& word : settings.parameterWords) {
-        words.push_back(parseAssignment("--set", word));
-    }
-    try {
-        return newBsdf(device, settings.model, settings.dialect, words);
-    } catch (const RunError& error) {
-        throw UsageError(error.what());  // what it names stands on the command line
-    }
-}
-
-void printNotices(const Json& description) {
-    for (const Json& notice : description.at("notices")) {
-        fmt::print(stderr, "glitterpath: note: {}\n", notice.get<std::string>());
-    }
-}
-
 std::string valueLines(const GpBsdfValue& value) {
     return fmt::format("f {} {} {}\npdf {}\n", value.f[0], value.f[1], value.f[2], value.pdf);
 }
 
 int runEval(const EvalSettings& settings) {
     const bool table = !settings.csvPath.empty();
-    if (table && (!settings.model.empty() || !settings.parameterWords.empty() ||
+    if (table && (!settings.models.words.empty() || !settings.models.assignments.empty() ||
                   !settings.wi.empty() || !settings.wo.empty() || settings.json)) {
         throw UsageError("--csv brings models, parameters and directions: it takes only --dialect "
                          "and --output");
     }
     if (table) {
-        evaluateTable({settings.csvPath, settings.outputPath, settings.dialect});
+        evaluateTable({settings.csvPath, settings.outputPath, settings.models.dialect});
         return kExitSuccess;
     }
-    if (settings.model.empty()) {
-        throw UsageError("brdf eval: which MODEL? (`glitterpath brdf list` shows them)");
-    }
-    if (settings.wi.empty() || settings.wo.empty()) {
+    if (!settings.models.words.empty() && (settings.wi.empty() || settings.wo.empty())) {
         throw UsageError(fmt::format("brdf eval: {} is missing",
                                      settings.wi.empty() ? "--wi" : "--wo"));
     }
-    const Direction wi = directionOf("--wi", settings.wi), wo = directionOf("--wo", settings.wo);
     checkWritable(settings.outputPath);
     const Device device = newModelDevice();
-    const Bsdf bsdf = bsdfOf(device.get(), settings);
-    const GpBsdfValue value = evaluate(device.get(), bsdf, wi, wo);
-    Json json = describeBsdf(device.get(), bsdf);
-    printNotices(json);
+    const Model model = newModel(device.get(), settings.models);
+    const Direction wi = directionOf("--wi", settings.wi), wo = directionOf("--wo", settings.wo);
+    const GpBsdfValue value = evaluate(device.get(), model.bsdf, wi, wo);
+    Json json = model.description;
     if (!settings.json) {
         writeText(settings.outputPath, valueLines(value));
         return kExitSuccess;
@@ -110,11 +88,7 @@ Command addBrdfEval(CLI::App& brdf) {
     const auto into = [](std::string& target) {
         return [&target](const std::string& word) { target = word; };
     };
-    app->add_option("MODEL", settings->model, "A model's name; `glitterpath brdf list` shows them");
-    app->add_option("--set", settings->parameterWords, "Set parameters; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->expected(1, -1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addModelOptions(*app, settings->models);
     addWord(*app, "--wi", "X,Y,Z", "The direction to the light", into(settings->wi));
     addWord(*app, "--wo", "X,Y,Z", "The direction to the viewer", into(settings->wo));
     addWord(*app, "--csv", "FILE", "Evaluate every row of a table", into(settings->csvPath));
@@ -122,9 +96,9 @@ Command addBrdfEval(CLI::App& brdf) {
             into(settings->outputPath));
     addWord(*app, "--dialect", "NAME",
             "Whose names of models and parameters: own, wdas (Disney's BRDF Explorer) or bbm",
-            [settings](const std::string& word) { settings->dialect = parseDialect(word); });
+            [settings](const std::string& word) { settings->models.dialect = parseDialect(word); });
     app->add_flag("--json", settings->json, "Values, parameters and notices as JSON");
-    app->footer(kNotes);
+    app->footer(std::string(kModelSyntax) + "\n\n" + kNotes);
     return {app, [settings] { return runEval(*settings); }};
 }
 

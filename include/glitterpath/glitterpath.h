@@ -197,8 +197,16 @@ enum {
     GP_GIVEN_ALL_MATERIAL = (1 << 9) - 1
 };
 
+/* Parameters that are blended over those below: share = weight * mask. */
+typedef struct GpMaterialLayer {
+    GpBsdf bsdf;           /* required; of the same model as `bsdf` of the material */
+    float weight;          /* 0..1; 0 = 1 */
+    GpTextureUse mask;     /* linear; NULL = the weight alone */
+    uint32_t maskChannel;  /* 0 red, 1 green, 2 blue, 3 alpha */
+} GpMaterialLayer;
+
 /* glTF 2.0 metallic-roughness with the Khronos extensions; a texture multiplies its factor. All
- * factors are in 0..1 unless said otherwise. */
+ * factors are in 0..1 unless said otherwise. Or, where `bsdf` is set, any model of the library. */
 typedef struct GpMaterialDesc {
     uint32_t given; /* GP_GIVEN_ bits */
     const char* name;
@@ -246,11 +254,23 @@ typedef struct GpMaterialDesc {
     float iridescenceThicknessMinNm; /* 100 */
     float iridescenceThicknessMaxNm; /* 400 */
     GpTextureUse iridescenceThicknessTexture; /* G, from min to max */
+    /* A model of the library instead (gpNewBsdf); NULL = glTF's as above. Then baseColor and its
+     * texture multiply the model's base_color, if it has one; of the other fields only normal map,
+     * emission, alpha, doubleSided, unlit, attenuation and anisotropyRotation (which turns the
+     * tangent) count, and setting another is GP_ERROR_INVALID_ARGUMENT. Handles may be released
+     * after the call. */
+    GpBsdf bsdf;
+    const GpMaterialLayer* layers; /* blended over bsdf, in this order: parameters, not results */
+    uint32_t layerCount;           /* at most 16 */
 } GpMaterialDesc;
 
 /* desc may be NULL: white and diffuse with a dielectric sheen of its index. */
 GP_API GpMaterial gpNewMaterial(GpDevice device, const GpMaterialDesc* desc);
 GP_API GpError gpReleaseMaterial(GpMaterial material);
+/* Gives `material` to every instance of the scene whose material has this name; name NULL: to all
+ * instances. *replaced (may be NULL) receives how many those are, which may be 0. */
+GP_API GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
+                                 uint32_t* replaced);
 
 /* ------------------------------------------------------------------------------------ meshes */
 
@@ -625,7 +645,7 @@ typedef struct GpBsdfParameter {
 } GpBsdfParameter;
 
 typedef struct GpBsdfDesc {
-    const char* model;                 /* required */
+    const char* model;                 /* required; or the path of a MERL file, FILE.binary */
     GpBsdfDialect dialect;             /* GP_DIALECT_OWN */
     const GpBsdfParameter* parameters; /* those that are not here have their defaults */
     uint32_t parameterCount;
@@ -657,10 +677,12 @@ typedef struct GpBsdfSample {
 GP_API GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed);
 /* NULL on failure. An unknown name or a value that cannot be read is GP_ERROR_INVALID_ARGUMENT; the
  * message names model and parameter, and the nearest known name. A value outside of its range is
- * clamped where the model's literature does not allow it: gpDescribeBsdf tells. */
+ * clamped where the model's literature does not allow it: gpDescribeBsdf tells. A measured file is
+ * read once, here, and kept (17.5 MB); what is wrong with one is GP_ERROR_FILE_INVALID. */
 GP_API GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc);
 GP_API GpError gpReleaseBsdf(GpBsdf bsdf);
-/* Model, values of all parameters and notices (what was clamped) as a JSON text. */
+/* Model, values of all parameters, notices (what was clamped) and, of a measured material, the file
+ * as a JSON text. */
 GP_API GpError gpDescribeBsdf(GpBsdf bsdf, char* text, size_t size, size_t* needed);
 /* `count` values, at most 2^26. wi, to the light, and wo, to the viewer, leave the surface, three
  * floats each, of any length but 0; normal +Z, tangent +X. */

@@ -6,6 +6,7 @@
 #include "api/check.h"
 #include "scene/bsdf_dialect.h"
 #include "scene/bsdf_evaluate.h"
+#include "scene/measured_brdf.h"
 
 namespace gp::api {
 
@@ -52,6 +53,7 @@ Json jsonOf(const BsdfModelInfo& model) {
               {"reciprocal", model.reciprocal},
               {"conserving", model.conserving},
               {"transmissive", model.transmissive},
+              {"fromFile", model.fromFile},
               {"parameters", Json::array()}};
     for (const BsdfParameterInfo& p : model.parameters) j["parameters"].push_back(jsonOf(p));
     return j;
@@ -69,9 +71,10 @@ std::string describe(const BsdfSettings& settings) {
         const BsdfParameterInfo& p = settings.model->parameters[i];
         parameters[p.name] = jsonOf(p, settings.values[i]);
     }
-    const Json all = {{"model", settings.model->name},
-                      {"parameters", parameters},
-                      {"notices", settings.notices}};
+    Json all = {{"model", settings.model->name},
+                {"parameters", parameters},
+                {"notices", settings.notices}};
+    if (settings.measured) all["file"] = settings.measured->name;
     return all.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -136,6 +139,13 @@ void forEachIndex(const BsdfObject& object, size_t count, const Body& body) {
     arena.execute([&] { tbb::parallel_for(all, part); });
 }
 
+// The device is locked: nobody else makes it at the same time.
+const PreparedBsdf& preparedOf(BsdfObject& object) {
+    if (!object.prepared)
+        object.prepared = std::make_unique<const PreparedBsdf>(*object.settings);
+    return *object.prepared;
+}
+
 GpBsdfValue valueOf(const BsdfReading& reading) {
     return {{reading.f.x, reading.f.y, reading.f.z}, reading.pdf};
 }
@@ -161,7 +171,7 @@ GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc) {
     return enter("gpNewBsdf", "device", device, [&](DeviceObject& d) {
         checkPointer(desc, "desc");
         auto object = std::make_shared<BsdfObject>(d);
-        object->settings = std::make_unique<const gp::BsdfSettings>(settingsFrom(*desc));
+        object->settings = std::make_shared<const gp::BsdfSettings>(settingsFrom(*desc));
         return publish<GpBsdf>(object);
     });
 }
@@ -184,7 +194,7 @@ GpError gpEvaluateBsdf(GpBsdf bsdf, size_t count, const float* wi, const float* 
         checkDirections(wi, count, "wi");
         checkDirections(wo, count, "wo");
         checkPointer(values, "values");
-        const gp::PreparedBsdf model(*b.settings);
+        const gp::PreparedBsdf& model = preparedOf(b);
         forEachIndex(b, count, [&](size_t i) {
             values[i] = valueOf(model.evaluate(directionAt(wi, i), directionAt(wo, i)));
         });
@@ -199,7 +209,7 @@ GpError gpSampleBsdf(GpBsdf bsdf, size_t count, const float* wo, const float* u,
         checkDirections(wo, count, "wo");
         checkRandomNumbers(u, count);
         checkPointer(samples, "samples");
-        const gp::PreparedBsdf model(*b.settings);
+        const gp::PreparedBsdf& model = preparedOf(b);
         forEachIndex(b, count, [&](size_t i) {
             samples[i] = sampleOf(model.sample(directionAt(wo, i), vec3From(u + 3 * i)));
         });

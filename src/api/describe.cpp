@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/bsdf_registry.h"
 #include "scene/environment_table.h"
 
 namespace gp::api {
@@ -44,6 +45,25 @@ private:
     std::vector<const T*> order_;
 };
 
+// A model of the library and what is blended over it, with the parameters that differ from the
+// model's defaults.
+Json jsonOf(const MaterialLayer& layer, Numbering<Texture>& textures) {
+    Json parameters = Json::object();
+    const BsdfSettings& settings = *layer.bsdf;
+    for (size_t i = 0; i < settings.values.size(); ++i) {
+        const BsdfParameterInfo& p = settings.model->parameters[i];
+        if (settings.values[i] != p.initial)
+            parameters[p.name] = bsdfValueText(p, settings.values[i]);
+    }
+    Json j = {{"model", settings.model->name}, {"parameters", parameters}};
+    if (layer.weight != 1) j["weight"] = layer.weight;
+    if (layer.mask.texture) {
+        j["mask"] = textures.of(layer.mask.texture.get());
+        j["maskChannel"] = layer.channel;
+    }
+    return j;
+}
+
 Json jsonOf(const Material& m, Numbering<Texture>& textures) {
     Json j = {{"name", m.name},
               {"baseColor", jsonOf(m.baseColor)},
@@ -52,6 +72,7 @@ Json jsonOf(const Material& m, Numbering<Texture>& textures) {
               {"emission", jsonOf(m.emission)},
               {"alphaMode", nameOf(m.alphaMode)},
               {"ior", m.ior}};
+    for (const MaterialLayer& layer : m.layers) j["layers"].push_back(jsonOf(layer, textures));
     if (m.alphaMode == AlphaMode::mask) j["alphaCutoff"] = m.alphaCutoff;
     if (m.doubleSided) j["doubleSided"] = true;
     if (m.unlit) j["unlit"] = true;

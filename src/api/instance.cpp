@@ -114,6 +114,21 @@ GpError gpRemoveInstance(GpInstance instance) {
     });
 }
 
+GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
+                          uint32_t* replaced) {
+    return enter("gpReplaceMaterial", "scene", scene, [&](SceneObject& s) {
+        const auto replacement = resolve(*s.device, material, "material")->material;
+        uint32_t count = 0;
+        for (auto& instance : s.scene.instances) {
+            if (name && instance->surface().name != name) continue;
+            instance->material = replacement;
+            ++count;
+        }
+        if (count > 0) ++s.scene.revision;
+        if (replaced) *replaced = count;
+    });
+}
+
 GpError gpReleaseInstance(GpInstance instance) {
     return enter("gpReleaseInstance", "instance", instance,
                  [&](InstanceObject&) { handles().remove(bitsOf(instance)); });

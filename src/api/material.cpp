@@ -1,8 +1,11 @@
 #include "api/check.h"
+#include "scene/bsdf_registry.h"
 
 namespace gp::api {
 
 namespace {
+
+constexpr uint32_t layerLimit = 16;
 
 static_assert(GP_ALPHA_MASK == int(AlphaMode::mask) && GP_ALPHA_BLEND == int(AlphaMode::blend));
 
@@ -21,6 +24,7 @@ public:
         readCoatAndSheen();
         readTransmission();
         readDirectional();
+        readLayers();
         return std::move(material_);
     }
 
@@ -141,6 +145,87 @@ private:
     void thickness(float& target, float value, const char* field) {
         checkNotNegative(value, field);
         if (value != 0 || given(GP_GIVEN_IRIDESCENCE_THICKNESS)) target = value;
+    }
+
+    // ------------------------------------------------------------ models of the library
+
+    void readLayers() {
+        const GpMaterialDesc& d = desc_;
+        if (!d.bsdf) {
+            if (d.layerCount > 0)
+                fail(GP_ERROR_INVALID_ARGUMENT, "layers lie over bsdf, which is NULL");
+            return;
+        }
+        refuseGltfFields();
+        MaterialLayer bottom;
+        bottom.bsdf = resolve(device_, d.bsdf, "bsdf")->settings;
+        const BsdfModelInfo& model = *bottom.bsdf->model;
+        if (material_.baseColorTexture.texture && !model.hasBaseColor())
+            fail(GP_ERROR_INVALID_ARGUMENT,
+                 "baseColorTexture multiplies base_color, which the model {} has not got",
+                 model.name);
+        material_.layers.push_back(std::move(bottom));
+        if (d.layerCount > layerLimit)
+            fail(GP_ERROR_TOO_LARGE, "layerCount is {}, more than {}", d.layerCount, layerLimit);
+        if (d.layerCount > 0) checkPointer(d.layers, "layers");
+        for (uint32_t i = 0; i < d.layerCount; ++i) readLayer(d.layers[i], i);
+    }
+
+    void readLayer(const GpMaterialLayer& source, uint32_t index) {
+        const std::string field = fmt::format("layers[{}]", index);
+        MaterialLayer layer;
+        layer.bsdf = resolve(device_, source.bsdf, field + ".bsdf")->settings;
+        if (const std::string why = whyNotBlended(*material_.layers[0].bsdf, *layer.bsdf);
+            !why.empty())
+            fail(GP_ERROR_INVALID_ARGUMENT, "{}: {}", field, why);
+        checkRange(source.weight, 0, 1, (field + ".weight").c_str());
+        if (source.weight != 0) layer.weight = source.weight;
+        texture(layer.mask, source.mask, (field + ".mask").c_str());
+        if (source.maskChannel > 3)
+            fail(GP_ERROR_OUT_OF_RANGE, "{}.maskChannel is {}, but a texture has four: 0 to 3",
+                 field, source.maskChannel);
+        layer.channel = source.maskChannel;
+        material_.layers.push_back(std::move(layer));
+    }
+
+    // What has no effect beside a model of the library is no option then.
+    void refuseGltfFields() const {
+        const GpMaterialDesc& d = desc_;
+        const std::pair<const char*, bool> fields[] = {
+            {"metallic", d.metallic != 0},
+            {"roughness", d.roughness != 0 || given(GP_GIVEN_ROUGHNESS)},
+            {"metallicRoughnessTexture", d.metallicRoughnessTexture.texture},
+            {"ior", d.ior != 0},
+            {"specular", d.specular != 0 || given(GP_GIVEN_SPECULAR)},
+            {"specularTexture", d.specularTexture.texture},
+            {"specularColor", !allZero(d.specularColor, 3) || given(GP_GIVEN_SPECULAR_COLOR)},
+            {"specularColorTexture", d.specularColorTexture.texture},
+            {"coat", d.coat != 0},
+            {"coatTexture", d.coatTexture.texture},
+            {"coatRoughness", d.coatRoughness != 0},
+            {"coatRoughnessTexture", d.coatRoughnessTexture.texture},
+            {"coatNormalTexture", d.coatNormalTexture.texture},
+            {"sheenColor", !allZero(d.sheenColor, 3)},
+            {"sheenColorTexture", d.sheenColorTexture.texture},
+            {"sheenRoughness", d.sheenRoughness != 0},
+            {"sheenRoughnessTexture", d.sheenRoughnessTexture.texture},
+            {"transmission", d.transmission != 0},
+            {"transmissionTexture", d.transmissionTexture.texture},
+            {"solid", d.solid != 0},
+            {"anisotropy", d.anisotropy != 0},
+            {"anisotropyTexture", d.anisotropyTexture.texture},
+            {"iridescence", d.iridescence != 0},
+            {"iridescenceTexture", d.iridescenceTexture.texture},
+            {"iridescenceIor", d.iridescenceIor != 0},
+            {"iridescenceThicknessMinNm", d.iridescenceThicknessMinNm != 0},
+            {"iridescenceThicknessMaxNm", d.iridescenceThicknessMaxNm != 0},
+            {"iridescenceThicknessTexture", d.iridescenceThicknessTexture.texture},
+        };
+        for (const auto& [name, isSet] : fields)
+            if (isSet)
+                fail(GP_ERROR_INVALID_ARGUMENT,
+                     "{} is of glTF's material and has no effect beside bsdf: it must be zero",
+                     name);
     }
 
     DeviceObject& device_;

@@ -15,6 +15,7 @@
 #include "backend/backend.h"
 #include "frame/frame_images.h"
 #include "glitterpath/glitterpath.h"
+#include "scene/bsdf_evaluate.h"
 #include "scene/bsdf_registry.h"
 #include "scene/scene.h"
 
@@ -97,7 +98,8 @@ struct FrameObject final : ChildObject {
 
 struct BsdfObject final : ChildObject {
     using ChildObject::ChildObject;
-    std::unique_ptr<const BsdfSettings> settings;
+    std::shared_ptr<const BsdfSettings> settings;
+    std::unique_ptr<const PreparedBsdf> prepared;  // made by the first value or sample
 };
 
 template <class Handle> struct HandleTraits;

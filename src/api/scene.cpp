@@ -57,6 +57,8 @@ struct Uniques {
         forEachTexture(material, [&](const char*, const TextureUse& use) {
             if (use.texture) textures.insert(use.texture.get());
         });
+        for (const MaterialLayer& layer : material.layers)
+            if (layer.mask.texture) textures.insert(layer.mask.texture.get());
     }
 };
 

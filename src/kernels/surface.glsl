@@ -95,8 +95,14 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) 
     s.color = load_vertex_color(instance.geometry, hit.primitive, hit.u, hit.v);
     vec2 d1 = c.uv1 - c.uv0;
     vec2 d2 = c.uv2 - c.uv0;
-    float twice_uv_area = abs(d1.x * d2.y - d1.y * d2.x);
-    s.lod = ray_cone_lod(cone, twice_uv_area, twice_area, dot(s.ng, direction));
+    float signed_uv_area = d1.x * d2.y - d1.y * d2.x;
+    if ((needs & SURFACE_TANGENT) != 0u && c.tangent0 == 0u && signed_uv_area != 0.0f) {
+        // Without tangents of its own: where u grows on this triangle; v grows downwards.
+        float turn = signed_uv_area < 0.0f ? -1.0f : 1.0f;
+        s.frame = frame_from_normal_tangent(n, (e1 * d2.y - e2 * d1.y) * turn,
+                                            instance.mirrored != 0u ? turn : -turn);
+    }
+    s.lod = ray_cone_lod(cone, abs(signed_uv_area), twice_area, dot(s.ng, direction));
     return s;
 }
 

@@ -44,7 +44,8 @@ const std::vector<DialectModel>& dialectModels();
 std::vector<DialectModel> microfacetDialectModels();
 
 // A model by name with parameters by name, in a dialect's words: the one place where a name becomes
-// a model. Presets and measured files will be found here as well. Throws BsdfError.
+// a model. A name that ends with .binary is the path of a measured material, in every dialect, with
+// our own parameters. Throws BsdfError, io::FileError.
 BsdfSettings bsdfFromWords(BsdfDialect dialect, const std::string& model, const BsdfWords& words);
 
 }  // namespace gp

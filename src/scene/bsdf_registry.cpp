@@ -94,6 +94,7 @@ std::vector<BsdfModelInfo> makeModels() {
         info.reciprocal = (flags & BSDF_RECIPROCAL) != 0u;
         info.conserving = (flags & BSDF_CONSERVING) != 0u;
         info.transmissive = (flags & BSDF_TRANSMISSIVE) != 0u;
+        info.fromFile = (flags & BSDF_FROM_FILE) != 0u;
         info.reference = reference;
         info.text = text;
         info.parameters = parametersOf(number);
@@ -216,6 +217,36 @@ const glm::vec3* BsdfSettings::valueOfRow(uint32_t row) const {
         if (model->parameters[i].row == row) return &values[i];
     }
     return nullptr;
+}
+
+bool BsdfModelInfo::hasBaseColor() const {
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [](const BsdfParameterInfo& p) { return p.name == "base_color"; });
+}
+
+std::string whyNotBlended(const BsdfSettings& below, const BsdfSettings& above) {
+    if (below.model != above.model) {
+        return fmt::format("{} cannot be blended over {}: layers are parameters of one model",
+                           above.model->name, below.model->name);
+    }
+    for (std::size_t i = 0; i < below.values.size(); ++i) {
+        const BsdfParameterInfo& p = below.model->parameters[i];
+        const bool steps = p.type == BsdfParameterType::boolean
+                        || p.type == BsdfParameterType::choice;
+        if (steps && below.values[i].x != above.values[i].x) {
+            return fmt::format("{} is {} below and {} above, and has nothing in between", p.name,
+                               bsdfValueText(p, below.values[i]),
+                               bsdfValueText(p, above.values[i]));
+        }
+    }
+    return {};
+}
+
+BsdfSettings blended(const BsdfSettings& below, const BsdfSettings& above, float share) {
+    BsdfSettings result = below;
+    for (std::size_t i = 0; i < result.values.size(); ++i)
+        result.values[i] = glm::mix(below.values[i], above.values[i], share);
+    return result;
 }
 
 std::string bsdfValueText(const BsdfParameterInfo& parameter, const glm::vec3& value) {

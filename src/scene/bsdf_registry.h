@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ namespace gp {
 struct BsdfError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+struct MeasuredBrdf;  // scene/measured_brdf.h
 
 enum class BsdfParameterType { number, color, boolean, choice };
 
@@ -35,9 +38,12 @@ struct BsdfModelInfo {
     uint32_t number = 0;
     std::string name;
     bool reciprocal = false, conserving = false, transmissive = false;
+    bool fromFile = false;      // a file's path is its name: as such it is black
     std::string reference;      // key in docs/references.md
     std::string text;
     std::vector<BsdfParameterInfo> parameters;
+
+    bool hasBaseColor() const;
 };
 
 // In the order of models.def.
@@ -51,6 +57,8 @@ struct BsdfSettings {
     const BsdfModelInfo* model = nullptr;
     std::vector<glm::vec3> values;     // beside model->parameters
     std::vector<std::string> notices;  // what was clamped, once for each parameter
+    // The table of a model from a file: it lives as long as any settings that hold it.
+    std::shared_ptr<const MeasuredBrdf> measured;
 
     explicit BsdfSettings(const BsdfModelInfo& info);
     // "20", "0.8,0.5,0.3" or one number for a color, "true" or "1", the name of a choice. Throws
@@ -59,6 +67,12 @@ struct BsdfSettings {
     // Of a parameter by its row in parameters.def; null if the model has not got it.
     const glm::vec3* valueOfRow(uint32_t row) const;
 };
+
+// Why one cannot be blended over the other (MaterialLayer), in one line; empty: it can. Numbers and
+// colours have something in between; models and choices have not.
+std::string whyNotBlended(const BsdfSettings& below, const BsdfSettings& above);
+// The parameters in between: share 0 is `below`, 1 is `above`.
+BsdfSettings blended(const BsdfSettings& below, const BsdfSettings& above, float share);
 
 // A value as people write it: what `set` understands.
 std::string bsdfValueText(const BsdfParameterInfo& parameter, const glm::vec3& value);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/bsdf_registry.h"
+#include "scene/measured_brdf.h"
 #include "shading/shading.h"
 
 namespace gp {
@@ -38,6 +39,7 @@ namespace {
 #undef GP_VALUE_BOOL
 #undef GP_VALUE_FLAG
 #undef GP_VALUE_CHOICE
+    if (settings.measured) m.table = settings.measured->address();
     return m;
 }
 

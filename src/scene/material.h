@@ -1,14 +1,28 @@
 // The material of a surface: glTF 2.0 metallic-roughness and its Khronos extensions, defaults
-// included. The multipliers below are applied to the textures' values, channel by channel.
+// included. The multipliers below are applied to the textures' values, channel by channel. Or a
+// stack of the library's models in its place (`layers`).
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "scene/texture.h"
 
 namespace gp {
+
+struct BsdfSettings;
+
+// Parameters of a model of the library: they replace the share weight times mask of those below.
+// [Burley 2012, "Physically-Based Shading at Disney", 5.7: parameters are blended, not results]
+struct MaterialLayer {
+    std::shared_ptr<const BsdfSettings> bsdf;
+    float weight = 1;
+    TextureUse mask;
+    uint32_t channel = 0;              // of the mask
+};
 
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
@@ -65,6 +79,11 @@ struct Material {
     float iridescenceThicknessMinNm = 100;
     float iridescenceThicknessMaxNm = 400;
     TextureUse iridescenceThicknessTexture;  // g
+
+    // Not empty: what the surface reflects is this stack, bottom first, all of one model; of the
+    // fields above only base colour (a factor of the model's own), normal map, emission, alpha,
+    // attenuation and the anisotropy's rotation (of the tangent) count.
+    std::vector<MaterialLayer> layers;
 };
 
 }  // namespace gp

@@ -6,4 +6,18 @@
 #define LET_REF(T) T
 #define OUT_OF_LINE
 #define CONST_TABLE const
+
+// Numbers in memory, see lang.h. A compiler without buffer references (WebGL's) has no tables.
+#ifdef GL_EXT_buffer_reference_uvec2
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer TableWords {
+    float words[];
+};
+bool table_exists(uvec2 table) { return (table.x | table.y) != 0u; }
+float table_float(uvec2 table, uint index) { return TableWords(table).words[index]; }
+#else
+bool table_exists(uvec2 table) { return false; }
+float table_float(uvec2 table, uint index) { return 0.0f; }
+#endif
 #endif

@@ -5,6 +5,8 @@
 // the same file is compiled for several instruction sets, and a linker must never merge the copies.
 #pragma once
 
+#include <cstdint>
+
 #define GLM_FORCE_INLINE
 #include <glm/glm.hpp>
 
@@ -29,3 +31,19 @@
 #define GP_SHADING_END \
     } }                \
     _Pragma("GCC diagnostic pop")
+
+// Numbers in memory, for the models that look up more than a constant table can hold: a table is
+// its 64-bit address in two words, the low one first; 0 is no table. Nothing else in src/shading
+// touches memory; lang.glsl has the same two functions.
+namespace gp::shading {
+
+static inline bool table_exists(glm::uvec2 table) {
+    return (table.x | table.y) != 0u;
+}
+
+static inline float table_float(glm::uvec2 table, unsigned index) {
+    const uint64_t address = uint64_t(table.x) | (uint64_t(table.y) << 32u);
+    return reinterpret_cast<const float*>(static_cast<uintptr_t>(address))[index];
+}
+
+}  // namespace gp::shading

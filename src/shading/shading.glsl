@@ -52,5 +52,6 @@
 #include "shading/microfacet/distribution.glsl"
 #include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/bsdf/bsdf.glsl"
+#include "shading/bsdf/blend.glsl"
 
 #endif

@@ -30,6 +30,8 @@ struct Hit {
 #define MATERIAL_MATTE 1024u     // no metal, no reflection, no layers: Lambertian
 #define MATERIAL_NEEDS_UV 512u   // vertex colours or tangents, although no texture is there
 #define MATERIAL_LAYERED 64u     // any of specular textures, coat, sheen, transmission, iridescence
+#define MATERIAL_LIBRARY 2048u   // a model of the library, not the glTF one: MaterialRecord::bsdf
+#define MATERIAL_PREPARE 4096u   // … whose parameters are prepared at each point: they vary
 
 // Bits of MaterialRecord::textures: which slots hold a texture.
 #define SLOT_BASE_COLOR 1u
@@ -84,6 +86,10 @@ struct MaterialRecord {
     uint textures;
     uint model;            // row of shading/bsdf/models.def
     float alpha_cutoff;
+    uint bsdf;             // MATERIAL_LIBRARY: its parameters, for load_bsdf
+    uint first_layer;      // … and what is blended over them: BsdfLayerRecord
+    uint layer_count;
+    uint pad0;
     TextureSlot base_color_slot;
     TextureSlot metallic_roughness_slot;
     TextureSlot normal_slot;
@@ -99,6 +105,16 @@ struct MaterialRecord {
     TextureSlot anisotropy_slot;
     TextureSlot iridescence_slot;
     TextureSlot iridescence_thickness_slot;
+};
+
+// A layer of a material made of the library's models: it replaces the share weight times mask of
+// the parameters below it.
+struct BsdfLayerRecord {
+    TextureSlot mask_slot;
+    uint channel;          // of the mask, 0 to 3; NO_INDEX: the weight alone counts
+    float weight;
+    uint bsdf;             // its parameters, for load_bsdf
+    uint pad0;
 };
 
 // An instance: rows of its matrices, and what its triangles look like.

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <limits>
 
 #include "api/world.h"
@@ -13,6 +14,12 @@ Row row(const char* what, GpError expected, const char* message, void (*change)(
                 change(desc);
                 return made(gpNewBsdf(w.device, &desc));
             }};
+}
+
+std::string folderNamedLikeAFile() {
+    const auto path = std::filesystem::temp_directory_path() / "gp-test-folder.binary";
+    std::filesystem::create_directories(path);
+    return path.string();
 }
 
 // One parameter of half_lambert.
@@ -112,6 +119,16 @@ Rows bsdfRows() {
         row("an unknown model", GP_ERROR_INVALID_ARGUMENT,
             "unknown model 'phongg' (did you mean phong?)",
             [](GpBsdfDesc& d) { d.model = "phongg"; }),
+        row("a model from a file without one", GP_ERROR_INVALID_ARGUMENT,
+            "measured: this model is made from a file",
+            [](GpBsdfDesc& d) { d.model = "measured"; }),
+        row("a file that is not there", GP_ERROR_FILE_NOT_FOUND, "nowhere.binary: no such file",
+            [](GpBsdfDesc& d) { d.model = "nowhere.binary"; }),
+        row("a folder for a file", GP_ERROR_FILE_INVALID, ".binary: not a regular file",
+            [](GpBsdfDesc& d) {
+                static const std::string path = folderNamedLikeAFile();
+                d.model = path.c_str();
+            }),
         row("our name in another dialect", GP_ERROR_INVALID_ARGUMENT,
             "unknown model of dialect wdas 'half_lambert'",
             [](GpBsdfDesc& d) { d.dialect = GP_DIALECT_WDAS; }),

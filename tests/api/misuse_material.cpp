@@ -83,6 +83,66 @@ void addTextureRows(Rows& rows) {
                        }));
 }
 
+// Models of the library in the place of glTF's: World::bsdf is a lambert.
+void addLibraryRows(Rows& rows) {
+    static GpMaterialLayer layer;  // each row fills it anew
+    const auto layered = [&](const char* what, GpError expected, const char* message,
+                             void (*change)(World&, GpMaterialLayer&)) {
+        rows.push_back({"gpNewMaterial", what, expected, message, [change](World& w) {
+                            layer = {};
+                            layer.bsdf = w.bsdf;
+                            change(w, layer);
+                            GpMaterialDesc desc{};
+                            desc.bsdf = w.bsdf, desc.layers = &layer, desc.layerCount = 1;
+                            return made(gpNewMaterial(w.device, &desc));
+                        }});
+    };
+    rows.push_back(row("bsdf was released", GP_ERROR_INVALID_HANDLE, "bsdf was released",
+                       [](World& w, GpMaterialDesc& d) { d.bsdf = w.released.bsdf; }));
+    rows.push_back(row("bsdf of another device", GP_ERROR_INVALID_HANDLE,
+                       "bsdf belongs to another device",
+                       [](World& w, GpMaterialDesc& d) { d.bsdf = w.foreign.bsdf; }));
+    rows.push_back(row("metallic beside bsdf", GP_ERROR_INVALID_ARGUMENT,
+                       "metallic is of glTF's material", [](World& w, GpMaterialDesc& d) {
+                           d.bsdf = w.bsdf, d.metallic = 1;
+                       }));
+    rows.push_back(row("a roughness of 0 beside bsdf", GP_ERROR_INVALID_ARGUMENT,
+                       "roughness is of glTF's material", [](World& w, GpMaterialDesc& d) {
+                           d.bsdf = w.bsdf, d.given = GP_GIVEN_ROUGHNESS;
+                       }));
+    rows.push_back(row("layers over nothing", GP_ERROR_INVALID_ARGUMENT, "bsdf, which is NULL",
+                       [](World&, GpMaterialDesc& d) { d.layerCount = 1; }));
+    rows.push_back(row("no layers at all", GP_ERROR_INVALID_ARGUMENT, "layers is NULL",
+                       [](World& w, GpMaterialDesc& d) { d.bsdf = w.bsdf, d.layerCount = 1; }));
+    rows.push_back(row("too many layers", GP_ERROR_TOO_LARGE, "layerCount is 17",
+                       [](World& w, GpMaterialDesc& d) {
+                           d.bsdf = w.bsdf, d.layers = &layer, d.layerCount = 17;
+                       }));
+    layered("a layer without bsdf", GP_ERROR_INVALID_HANDLE, "layers[0].bsdf is NULL",
+            [](World&, GpMaterialLayer& l) { l.bsdf = nullptr; });
+    layered("a layer of another model", GP_ERROR_INVALID_ARGUMENT,
+            "layers[0]: ward cannot be blended over lambert", [](World& w, GpMaterialLayer& l) {
+                GpBsdfDesc ward{};
+                ward.model = "ward";
+                l.bsdf = gpNewBsdf(w.device, &ward);
+            });
+    layered("a layer's weight above 1", GP_ERROR_OUT_OF_RANGE, "layers[0].weight is 1.5",
+            [](World&, GpMaterialLayer& l) { l.weight = 1.5f; });
+    layered("a layer's mask was released", GP_ERROR_INVALID_HANDLE,
+            "layers[0].mask.texture was released",
+            [](World& w, GpMaterialLayer& l) { l.mask.texture = w.released.texture; });
+    layered("a fifth channel", GP_ERROR_OUT_OF_RANGE, "layers[0].maskChannel is 4",
+            [](World&, GpMaterialLayer& l) { l.maskChannel = 4; });
+    rows.push_back({"gpReplaceMaterial", "material was released", GP_ERROR_INVALID_HANDLE,
+                    "material was released", [](World& w) {
+                        return gpReplaceMaterial(w.scene, nullptr, w.released.material, nullptr);
+                    }});
+    rows.push_back({"gpReplaceMaterial", "no scene", GP_ERROR_INVALID_HANDLE, "scene is NULL",
+                    [](World& w) {
+                        return gpReplaceMaterial(nullptr, nullptr, w.material, nullptr);
+                    }});
+}
+
 }  // namespace
 
 Rows materialRows() {
@@ -130,6 +190,7 @@ Rows materialRows() {
     };
     addFactorRows(rows);
     addTextureRows(rows);
+    addLibraryRows(rows);
     addHandleRows<GpDevice>(rows, "gpNewMaterial", "device",
                             [](World&, GpDevice d) { return made(gpNewMaterial(d, nullptr)); });
     addHandleRows<GpMaterial>(rows, "gpReleaseMaterial", "material",

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 
 #include "shading/glsl_compiler.h"
 #include "shading/vulkan_compute.h"
+#include "statistics/measured_example.h"
 #include "statistics/random.h"
 
 namespace gp::test {
@@ -27,6 +29,8 @@ uint32_t readUint(int index) {
     }
     return evaluation.input[index];
 }
+
+glm::uvec2 tableAddress() { return measuredExample()->address(); }
 
 void writeUint(int index, uint32_t value) {
     if (index < 0 || uint32_t(index) >= maxOutputs) {
@@ -137,7 +141,8 @@ std::string glslOf(const DifferentialTable& table) {
             "#include \"shading/lang.glsl\"\n#include \"shading/shading.glsl\"\n"
             "layout(local_size_x = " << VulkanCompute::groupSize << ") in;\n"
             "layout(constant_id = 0) const uint diff_function = 0u;\n"
-            "layout(push_constant) uniform Push { uint in_stride; uint out_stride; uint count; } "
+            "layout(push_constant) uniform Push { uint in_stride; uint out_stride; uint count; "
+            "uint table_low; uint table_high; } "
             "diff_push;\n"
             "layout(std430, binding = 0) readonly buffer In { uint words[]; } diff_in;\n"
             "layout(std430, binding = 1) writeonly buffer Out { uint words[]; } diff_out;\n"
@@ -147,6 +152,7 @@ std::string glslOf(const DifferentialTable& table) {
             "vec2 in_v2(int k) { return vec2(in_f(k), in_f(k + 1)); }\n"
             "vec3 in_v3(int k) { return vec3(in_f(k), in_f(k + 1), in_f(k + 2)); }\n"
             "vec4 in_v4(int k) { return vec4(in_v3(k), in_f(k + 3)); }\n"
+            "uvec2 in_table() { return uvec2(diff_push.table_low, diff_push.table_high); }\n"
             "void put_u(int k, uint v) { diff_out.words[gl_GlobalInvocationID.x * "
             "diff_push.out_stride + uint(k)] = v; }\n"
             "void put_f(int k, float v) { put_u(k, floatBitsToUint(v)); }\n"
@@ -296,6 +302,9 @@ TEST_P(Differential, CppEqualsVulkan) {
         job.inputStride = run.inputStride;
         job.outputStride = uint32_t(run.kinds.size());
         job.count = inputCount();
+        if (std::strstr(table.rows[i].body, "in_table()") != nullptr) {
+            job.table = measuredExample()->words;
+        }
         compareRow(table.rows[i], run, vulkan->run(job), job.count);
     }
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 namespace gp::test {
 
 // |a - b| <= relative * max(|a|, |b|) + absolute, for all but a share `outliers` of the inputs.
@@ -52,6 +54,7 @@ extern EvaluationWords evaluation;
 
 float readFloat(int index);
 uint32_t readUint(int index);
+glm::uvec2 tableAddress();  // of statistics/measured_example.h; the shader has a copy of it
 void writeUint(int index, uint32_t value);
 void writeFloats(int index, const float* values, int count);
 

@@ -17,18 +17,22 @@ layout(std430, binding = 7) readonly buffer EnvironmentBuffer {
 };
 layout(std430, binding = 8) readonly buffer DensityBuffer { float environment_densities[]; };
 layout(std430, binding = 9) readonly buffer CornerBuffer { vec4 corner_extras[]; };
-layout(std430, binding = 12) readonly buffer LocalLightingBuffer {
+layout(std430, binding = 12) readonly buffer BsdfBuffer { BsdfParams bsdfs[]; };
+layout(std430, binding = 13) readonly buffer LayerBuffer { BsdfLayerRecord bsdf_layers[]; };
+layout(std430, binding = 14) readonly buffer LocalLightingBuffer {
     LocalLightingConstants local_lighting_constants;
-    BsdfParams lighting_model;
+    BsdfParams lighting_parameters;
 };
 layout(binding = 10) uniform sampler2D environment_image;
 layout(binding = 11) uniform sampler2DArray textures;
 
 FrameConstants load_frame() { return frame_constants; }
 LocalLightingConstants load_local_lighting() { return local_lighting_constants; }
-BsdfParams load_lighting_model() { return lighting_model; }
+BsdfParams load_lighting_model() { return lighting_parameters; }
 InstanceRecord load_instance(uint i) { return instances[i]; }
 MaterialRecord load_material(uint i) { return materials[i]; }
+BsdfParams load_bsdf(uint i) { return bsdfs[i]; }
+BsdfLayerRecord load_bsdf_layer(uint i) { return bsdf_layers[i]; }
 LightRecord load_light(uint i) { return lights[i]; }
 LightTreeNode load_light_node(uint i) { return light_tree[i]; }
 TriangleCorners load_triangle(uint geometry, uint primitive) {

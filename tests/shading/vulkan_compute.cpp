@@ -43,6 +43,9 @@ uint32_t hostMemoryType(VkPhysicalDevice device, uint32_t allowed) {
     throw std::runtime_error("the Vulkan device has no host-visible memory");
 }
 
+// What the shader is told: words an invocation, invocations, and where the table is.
+using Constants = std::array<uint32_t, 5>;
+
 }  // namespace
 
 struct VulkanCompute::Buffer {
@@ -50,7 +53,7 @@ struct VulkanCompute::Buffer {
         VkBufferCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
         info.size = size = words * sizeof(uint32_t);
-        info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+        info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
         check(vkCreateBuffer(device, &info, nullptr, &handle), "vkCreateBuffer");
         VkMemoryRequirements needs;
         vkGetBufferMemoryRequirements(device, handle, &needs);
@@ -58,6 +61,10 @@ struct VulkanCompute::Buffer {
         allocation.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
         allocation.allocationSize = needs.size;
         allocation.memoryTypeIndex = hostMemoryType(vulkan.physical_, needs.memoryTypeBits);
+        VkMemoryAllocateFlagsInfo flags{};
+        flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+        flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+        allocation.pNext = &flags;
         check(vkAllocateMemory(device, &allocation, nullptr, &memory), "vkAllocateMemory");
         check(vkBindBufferMemory(device, handle, memory, 0), "vkBindBufferMemory");
         check(vkMapMemory(device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory");
@@ -68,6 +75,13 @@ struct VulkanCompute::Buffer {
     }
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
+
+    VkDeviceAddress address() const {
+        VkBufferDeviceAddressInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+        info.buffer = handle;
+        return vkGetBufferDeviceAddress(device, &info);
+    }
 
     VkDevice device;
     VkDeviceSize size = 0;
@@ -120,7 +134,7 @@ struct VulkanCompute::Pipeline {
         setInfo.bindingCount = 2;
         setInfo.pBindings = bindings.data();
         check(vkCreateDescriptorSetLayout(device, &setInfo, nullptr, &setLayout), "set layout");
-        const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, 3 * sizeof(uint32_t)};
+        const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(Constants)};
         VkPipelineLayoutCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
         info.setLayoutCount = 1;
@@ -169,7 +183,7 @@ std::unique_ptr<VulkanCompute> VulkanCompute::create() {
     std::unique_ptr<VulkanCompute> vulkan(new VulkanCompute);
     VkApplicationInfo application{};
     application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-    application.apiVersion = VK_API_VERSION_1_1;
+    application.apiVersion = VK_API_VERSION_1_2;  // for addresses of buffers
     VkInstanceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &application;
@@ -215,8 +229,13 @@ void VulkanCompute::createDevice() {
     queue.queueFamilyIndex = family_;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
+    // Every shader that includes shading/lang.glsl declares that it may read by addresses.
+    VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
+    addresses.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES;
+    addresses.bufferDeviceAddress = VK_TRUE;
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+    info.pNext = &addresses;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
@@ -242,15 +261,17 @@ std::vector<uint32_t> VulkanCompute::run(const Job& job) const {
     Buffer output(*this, size_t(job.outputStride) * job.count);
     std::memcpy(input.mapped, job.input->data(), job.input->size() * sizeof(uint32_t));
     std::memset(output.mapped, 0xFF, output.size);  // NaN: an output that is not written shows
+    Buffer table(*this, std::max<size_t>(job.table.size(), 1));
+    std::memcpy(table.mapped, job.table.data(), job.table.size_bytes());
     Pipeline pipeline(device_, job);
     pipeline.bind(input, output);
-    submit(pipeline, job);
+    submit(pipeline, job, table);
     std::vector<uint32_t> result(size_t(job.outputStride) * job.count);
     std::memcpy(result.data(), output.mapped, result.size() * sizeof(uint32_t));
     return result;
 }
 
-void VulkanCompute::submit(const Pipeline& pipeline, const Job& job) const {
+void VulkanCompute::submit(const Pipeline& pipeline, const Job& job, const Buffer& table) const {
     VkCommandBufferAllocateInfo allocation{};
     allocation.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
     allocation.commandPool = commands_;
@@ -264,7 +285,9 @@ void VulkanCompute::submit(const Pipeline& pipeline, const Job& job) const {
     vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle);
     vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1,
                             &pipeline.set, 0, nullptr);
-    const std::array<uint32_t, 3> push{job.inputStride, job.outputStride, job.count};
+    const VkDeviceAddress at = job.table.empty() ? 0 : table.address();
+    const Constants push{job.inputStride, job.outputStride, job.count, uint32_t(at),
+                         uint32_t(at >> 32u)};
     vkCmdPushConstants(buffer, pipeline.layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
                        push.data());
     vkCmdDispatch(buffer, (job.count + groupSize - 1) / groupSize, 1, 1);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ public:
         uint32_t inputStride = 0;                     // words an invocation: push constants
         uint32_t outputStride = 0;
         uint32_t count = 0;                           // invocations; the shader checks the bound
+        std::span<const float> table;                 // its address follows the other constants
     };
     std::vector<uint32_t> run(const Job& job) const;
 
@@ -41,7 +43,7 @@ private:
     VulkanCompute() = default;
     void chooseDevice();
     void createDevice();
-    void submit(const Pipeline& pipeline, const Job& job) const;
+    void submit(const Pipeline& pipeline, const Job& job, const Buffer& table) const;
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;

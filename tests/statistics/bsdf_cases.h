@@ -14,6 +14,7 @@
 #include "shading/shading.h"
 #include "scene/bsdf_settings.h"
 #include "statistics/bsdf_library_cases.h"
+#include "statistics/measured_example.h"
 #include "statistics/random.h"
 
 namespace gp::test {
@@ -80,6 +81,7 @@ public:
         for (const BsdfParameterInfo& p : settings.model->parameters) {
             if (p.name == "base_color") settings.set("base_color", "0.8,0.5,0.3");
         }
+        if (row.number == MODEL_MEASURED) settings.measured = measuredExample();
         std::istringstream stream(words);
         for (std::string word; stream >> word;) {
             const std::size_t sign = word.find('=');

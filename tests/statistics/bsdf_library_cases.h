@@ -147,6 +147,7 @@ const LibraryCase libraryCases[] = {
     {"holzschuch_pacanowski", "gaussian", "eta=0.05 k=9 beta=0.15 p=1 sigma_um=0.05 b_um=0.3 c=3",
      0u, true},
     {"holzschuch_pacanowski", "smooth", "sigma_um=0 beta=0.2 p=2", 0u, true},
+    {"measured", "nearest", "interpolation=nearest", 0u, true},
     {"holzschuch_pacanowski", "no_mirror", "eta=0.05 k=9 sigma_um=1 b_um=5", 0u, true},
 };
 

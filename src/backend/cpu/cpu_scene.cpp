@@ -24,7 +24,7 @@ void CpuScene::update(const Scene& scene) {
 
 void CpuScene::rebuild(const Scene& scene) {
     updateMeshes(scene);
-    fillMaterials(scene);
+    materials_.fill(scene);
     lights_ = makeLightTable(scene);
     fillInstances(scene);
     fillView(scene);
@@ -106,7 +106,7 @@ void CpuScene::fillInstances(const Scene& scene) {
             r.normal_from_object[row] = sign * glm::vec4(cx[row], cy[row], cz[row], 0);
         }
         r.mirrored = sign < 0;
-        r.material = materialIndex_.at(&source.surface());
+        r.material = materials_.indexOf(source.surface());
         r.geometry = s.index;
         r.light_map = lights_.lightMap[i];
         if (source.mesh->triangles.empty()) continue;
@@ -120,105 +120,6 @@ void CpuScene::fillInstances(const Scene& scene) {
     }
     attachLights(scene);
     rtcCommitScene(top_.get());
-}
-
-// ------------------------------------------------------------------------------- materials
-
-void CpuScene::fillSlot(MaterialRecord& r, TextureSlot& slot, uint32_t bit, const TextureUse& use) {
-    if (!use.texture) return;
-    const auto [it, fresh] =
-        textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
-    if (fresh) {
-        const Texture& t = *use.texture;
-        TextureView v{};
-        v.width = t.levels[0].width, v.height = t.levels[0].height;
-        v.levelCount = uint32_t(std::min<size_t>(t.levels.size(), std::size(v.levels)));
-        for (size_t i = 0; i < std::size(v.levels); ++i)
-            v.levels[i] = reinterpret_cast<const uint8_t*>(t.pixels.data()) +
-                          t.levels[std::min<size_t>(i, v.levelCount - 1)].offset;
-        v.halfLog2Texels = 0.5f * std::log2(float(v.width) * float(v.height));
-        v.isFloat = t.format == PixelFormat::rgba32f, v.isSrgb = t.colorSpace == ColorSpace::srgb;
-        v.wrapU = uint8_t(t.wrapU), v.wrapV = uint8_t(t.wrapV);
-        v.magNearest = t.magFilter == Filter::nearest,
-        v.minNearest = t.minFilter == Filter::nearest;
-        textures_.push_back(v);
-    }
-    r.textures |= bit;
-    slot.texture_index = it->second;
-    slot.tex_coord = use.texCoord;
-    const glm::mat3x2& m = use.uvTransform;
-    slot.row_u = {m[0][0], m[1][0], m[2][0], 0};
-    slot.row_v = {m[0][1], m[1][1], m[2][1], 0};
-}
-
-void CpuScene::fillSlots(MaterialRecord& r, const Material& m) {
-    fillSlot(r, r.base_color_slot, SLOT_BASE_COLOR, m.baseColorTexture);
-    fillSlot(r, r.metallic_roughness_slot, SLOT_METALLIC_ROUGHNESS, m.metallicRoughnessTexture);
-    fillSlot(r, r.normal_slot, SLOT_NORMAL, m.normalTexture);
-    fillSlot(r, r.emission_slot, SLOT_EMISSION, m.emissionTexture);
-    fillSlot(r, r.specular_slot, SLOT_SPECULAR, m.specularTexture);
-    fillSlot(r, r.specular_color_slot, SLOT_SPECULAR_COLOR, m.specularColorTexture);
-    fillSlot(r, r.coat_slot, SLOT_COAT, m.coatTexture);
-    fillSlot(r, r.coat_roughness_slot, SLOT_COAT_ROUGHNESS, m.coatRoughnessTexture);
-    fillSlot(r, r.coat_normal_slot, SLOT_COAT_NORMAL, m.coatNormalTexture);
-    fillSlot(r, r.sheen_color_slot, SLOT_SHEEN_COLOR, m.sheenColorTexture);
-    fillSlot(r, r.sheen_roughness_slot, SLOT_SHEEN_ROUGHNESS, m.sheenRoughnessTexture);
-    fillSlot(r, r.transmission_slot, SLOT_TRANSMISSION, m.transmissionTexture);
-    fillSlot(r, r.anisotropy_slot, SLOT_ANISOTROPY, m.anisotropyTexture);
-    fillSlot(r, r.iridescence_slot, SLOT_IRIDESCENCE, m.iridescenceTexture);
-    fillSlot(r, r.iridescence_thickness_slot, SLOT_IRIDESCENCE_THICKNESS,
-             m.iridescenceThicknessTexture);
-}
-
-static uint32_t materialFlags(const Material& m) {
-    uint32_t flags = 0;
-    if (m.doubleSided) flags |= MATERIAL_DOUBLE_SIDED;
-    if (m.unlit) flags |= MATERIAL_UNLIT;
-    if (m.transmission > 0) flags |= MATERIAL_TRANSMISSIVE;
-    if (m.transmission > 0 && !m.thinWalled) flags |= MATERIAL_SOLID;
-    if (shading::luminance(m.emission) > 0) flags |= MATERIAL_EMISSIVE;
-    if (m.alphaMode == AlphaMode::mask) flags |= MATERIAL_ALPHA_MASK;
-    if (m.alphaMode == AlphaMode::blend) flags |= MATERIAL_ALPHA_BLEND;
-    if (m.anisotropy > 0) flags |= MATERIAL_NEEDS_UV;
-    const bool layers = m.coat > 0 || m.sheenColor != glm::vec3(0) || m.transmission > 0 ||
-                        m.iridescence > 0;
-    if (m.metallic == 0 && m.specular == 0 && !layers) flags |= MATERIAL_MATTE;
-    if (m.specularTexture.texture || m.specularColorTexture.texture || layers)
-        flags |= MATERIAL_LAYERED;
-    return flags;
-}
-
-void CpuScene::fillMaterials(const Scene& scene) {
-    materials_.clear(), materialIndex_.clear(), materialOwners_.clear();
-    textures_.clear(), textureIndex_.clear();
-    for (const auto& instance : scene.instances) {
-        const Material& m = instance->surface();
-        if (!materialIndex_.try_emplace(&m, uint32_t(materials_.size())).second) {
-            if (!instance->mesh->colors.empty())
-                materials_[materialIndex_[&m]].flags |= MATERIAL_VERTEX_COLOR | MATERIAL_NEEDS_UV;
-            continue;
-        }
-        materialOwners_.push_back(instance->surfacePtr());
-        MaterialRecord r{};
-        r.base_color = m.baseColor, r.emission = m.emission, r.metallic = m.metallic;
-        r.specular_color = m.specularColor, r.roughness = m.roughness;
-        r.sheen_color = m.sheenColor, r.sheen_roughness = m.sheenRoughness;
-        r.attenuation = m.thinWalled ? glm::vec3(0)
-            : shading::medium_absorption(m.attenuationColor, m.attenuationDistance);
-        r.ior = m.ior, r.specular = m.specular, r.coat = m.coat, r.coat_roughness = m.coatRoughness;
-        r.normal_scale = m.normalScale, r.coat_normal_scale = m.coatNormalScale;
-        r.transmission = m.transmission;
-        r.anisotropy = m.anisotropy, r.anisotropy_rotation = m.anisotropyRotation;
-        r.iridescence = m.iridescence, r.iridescence_ior = m.iridescenceIor;
-        r.iridescence_thickness_min_nm = m.iridescenceThicknessMinNm;
-        r.iridescence_thickness_max_nm = m.iridescenceThicknessMaxNm;
-        r.alpha_cutoff = m.alphaCutoff;
-        r.flags = materialFlags(m);
-        if (!instance->mesh->colors.empty()) r.flags |= MATERIAL_VERTEX_COLOR | MATERIAL_NEEDS_UV;
-        r.model = MODEL_GLTF;
-        fillSlots(r, m);
-        materials_.push_back(r);
-    }
 }
 
 // ------------------------------------------------------------------------------- lights
@@ -285,8 +186,7 @@ void CpuScene::fillView(const Scene& scene) {
     view_.scene = top_.get();
     view_.instances = instances_.data();
     view_.geometries = geometries_.data();
-    view_.materials = materials_.data();
-    view_.textures = textures_.data();
+    materials_.show(view_);
     view_.lights = lights_.lights.data();
     view_.lightTree = lights_.tree.data();
     view_.lightOfTriangle = lights_.lightOfTriangle.data();

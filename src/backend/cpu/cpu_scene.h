@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include "backend/backend.h"
+#include "backend/cpu/material_table.h"
 #include "backend/cpu/scene_view.h"
 #include "scene/environment_table.h"
 #include "scene/light_table.h"
@@ -47,10 +48,6 @@ private:
     void rebuild(const Scene& scene);
     void updateMeshes(const Scene& scene);
     void buildMesh(MeshStructure& s);
-    void fillMaterials(const Scene& scene);
-    void fillSlots(shared::MaterialRecord& r, const Material& m);
-    void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
-                  const TextureUse& use);
     void fillInstances(const Scene& scene);
     void attachLights(const Scene& scene);
     void fillView(const Scene& scene);
@@ -66,11 +63,7 @@ private:
     ScenePtr top_;
     std::vector<shared::InstanceRecord> instances_;
     std::vector<GeometryView> geometries_;
-    std::vector<shared::MaterialRecord> materials_;
-    std::unordered_map<const Material*, uint32_t> materialIndex_;
-    std::vector<std::shared_ptr<const Material>> materialOwners_;
-    std::vector<TextureView> textures_;
-    std::unordered_map<const Texture*, uint32_t> textureIndex_;
+    MaterialTable materials_;
     LightTable lights_;
     std::vector<uint32_t> lightOfPrimitive_[4];  // spheres, rectangles; seen by the camera, or not
     std::shared_ptr<const EnvironmentTable> environment_;

@@ -46,6 +46,8 @@ struct SceneView {
     const shared::InstanceRecord* instances;
     const GeometryView* geometries;
     const shared::MaterialRecord* materials;
+    const void* bsdfs;          // shading::BsdfParams, a type of each translation unit
+    const shared::BsdfLayerRecord* bsdfLayers;
     const TextureView* textures;
     const shared::LightRecord* lights;        // directional ones first
     const shared::LightTreeNode* lightTree;

@@ -68,6 +68,11 @@ OUT_OF_LINE bool bsdf_library_is_specular(BsdfParams m) {
     return false;
 }
 
+// Whether bsdf_prepared changes anything that bsdf_eval reads.
+bool bsdf_needs_preparation(uint model) {
+    return model == MODEL_MICROFACET || model == MODEL_KULLA_CONTY;
+}
+
 // Parameters with what a model derives from them: once when they are set, before everything below.
 BsdfParams bsdf_prepared(BsdfParams m) {
     if (m.model == MODEL_MICROFACET) {
@@ -75,6 +80,16 @@ BsdfParams bsdf_prepared(BsdfParams m) {
     }
     if (m.model == MODEL_KULLA_CONTY) {
         return kulla_conty_prepared(m);
+    }
+    // What integrators and guides read of every model: the width of its lobe, the medium behind it.
+    if (m.model == MODEL_DISNEY || m.model == MODEL_DISNEY_BSDF) {
+        float roughness = m.model == MODEL_DISNEY ? disney_roughness(m)
+                                                  : disney_bsdf_roughness(m);
+        m.alpha_x = max(roughness * roughness, BSDF_MIN_ALPHA);
+        m.alpha_y = m.alpha_x;
+    }
+    if (m.model == MODEL_GGX_DIELECTRIC) {
+        m.thin = 0u;
     }
     return m;
 }

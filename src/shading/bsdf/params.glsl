@@ -32,6 +32,7 @@
 #define BSDF_RECIPROCAL 1u    // f(wo, wi) / eta_o^2 = f(wi, wo) / eta_i^2
 #define BSDF_CONSERVING 2u    // albedo at most 1
 #define BSDF_TRANSMISSIVE 4u  // scatters to the other side
+#define BSDF_FROM_FILE 8u     // black without the file that it is made from
 
 struct BsdfParams {
     uint model;                      // MODEL_… of models.def
@@ -60,6 +61,7 @@ struct BsdfParams {
     vec4 slot_d;
     vec4 slot_e;
     vec4 slot_f;
+    uvec2 table;                     // what a measured model looks up: an address, as in lang.h
 };
 
 // How the types of parameters.def are read and written.
@@ -123,15 +125,19 @@ BsdfParams bsdf_fields_of(uint model) {
     return m;
 }
 
-// A model of the library with its defaults.
+// A model of the library with its defaults. One without a width of its own counts as sharp: then
+// no texture is blurred that the viewer might see in it.
 BsdfParams bsdf_params_of(uint model) {
     BsdfParams m = bsdf_fields_of(model);
+    m.alpha_x = BSDF_MIN_ALPHA;
+    m.alpha_y = BSDF_MIN_ALPHA;
     m.slot_a = vec4(0.0f);
     m.slot_b = vec4(0.0f);
     m.slot_c = vec4(0.0f);
     m.slot_d = vec4(0.0f);
     m.slot_e = vec4(0.0f);
     m.slot_f = vec4(0.0f);
+    m.table = uvec2(0u);
 #define BSDF_FIELD(number, name, type, field, initial, minimum, maximum, outside, unit, text) \
     if (model == number) { BSDF_SET_##type(m.field, initial) }
 #define BSDF_PARAMETER(number, accessor, name, type, slot, initial, minimum, maximum, outside, \

@@ -47,6 +47,8 @@ struct Kernels {
     const FrameConstants& load_frame() { return constants; }
     const InstanceRecord& load_instance(uint i) { return view.instances[i]; }
     const MaterialRecord& load_material(uint i) { return view.materials[i]; }
+    const BsdfParams& load_bsdf(uint i) { return static_cast<const BsdfParams*>(view.bsdfs)[i]; }
+    const BsdfLayerRecord& load_bsdf_layer(uint i) { return view.bsdfLayers[i]; }
     const LightRecord& load_light(uint i) { return view.lights[i]; }
     const LightTreeNode& load_light_node(uint i) { return view.lightTree[i]; }
     uint load_light_of_triangle(uint instance, uint primitive) {

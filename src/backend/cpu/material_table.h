@@ -1,0 +1,44 @@
+// The materials of a scene as the kernels read them: records, textures, and the parameters of those
+// that are made of the library's models.
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "backend/cpu/scene_view.h"
+#include "scene/scene.h"
+
+namespace gp::cpu {
+
+class MaterialTable {
+public:
+    MaterialTable();
+    ~MaterialTable();
+
+    // All materials of the scene's instances, anew.
+    void fill(const Scene& scene);
+    uint32_t indexOf(const Material& material) const { return index_.at(&material); }
+    // Pointers that hold until the next fill.
+    void show(SceneView& view) const;
+
+private:
+    struct Bsdfs;  // shading::BsdfParams, a type that every translation unit has its own of
+
+    shared::MaterialRecord recordOf(const Material& m);
+    void fillSlots(shared::MaterialRecord& r, const Material& m);
+    void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
+                  const TextureUse& use);
+    void fillUse(shared::TextureSlot& slot, const TextureUse& use);
+    void fillLayers(shared::MaterialRecord& r, const Material& m, bool vertexColors);
+
+    std::vector<shared::MaterialRecord> records_;
+    std::unordered_map<const Material*, uint32_t> index_;
+    std::vector<std::shared_ptr<const Material>> owners_;
+    std::vector<TextureView> textures_;
+    std::unordered_map<const Texture*, uint32_t> textureIndex_;
+    std::vector<shared::BsdfLayerRecord> layers_;
+    std::unique_ptr<Bsdfs> bsdfs_;
+};
+
+}  // namespace gp::cpu
