@@ -22,7 +22,7 @@ constexpr std::pair<const char*, GpShadingFrequency> kFrequencies[] = {
 std::vector<std::string> allModelWords(GpDevice device) {
     std::vector<std::string> words;
     for (const Json& model : describeModels(device)) {
-        if (model.at("transmissive").get<bool>()) {
+        if (model.at("transmissive").get<bool>() || model.at("fromFile").get<bool>()) {
             continue;
         }
         const std::string name = model.at("name");

@@ -110,6 +110,8 @@ int GlbBuilder::addMesh(const std::string& name, const Mesh& mesh, int material)
     json attributes = {{"POSITION", addVectors(&mesh.positions[0].x, count, 3, true)},
                        {"NORMAL", addVectors(&mesh.normals[0].x, count, 3, true)},
                        {"TEXCOORD_0", addVectors(&mesh.uvs[0].x, count, 2, true)}};
+    if (!mesh.tangents.empty())
+        attributes["TANGENT"] = addVectors(&mesh.tangents[0].x, count, 4, true);
     const bool narrow = count < 65536;
     int view = 0;
     if (narrow) {

@@ -17,7 +17,7 @@ constexpr float pi = std::numbers::pi_v<float>;
 // body and lean to one side, so that each hides a part of the next.
 glm::vec3 pleatedBulb(float turn, float t)
 {
-    constexpr float pleats = 7, depth = 0.23f, winding = 0.42f, lean = 0.55f;
+    constexpr float pleats = 7, depth = 0.28f, winding = 0.42f, lean = 0.8f;
     // A foot, a belly and a neck that closes.
     const float belly = std::pow(std::sin(pi * std::pow(t, 0.72f)), 0.8f);
     const float radius = 0.62f * belly * (1.0f - 0.35f * t);
@@ -44,20 +44,25 @@ void buildThreeObjects(GlbBuilder& glb, const Parameters&)
     });
     bulb.removeUnusedVertices();
     bulb.transform(translation(0.0f, -0.85f, -0.15f));
-    glb.add("pleated bulb", bulb, material);
-    glb.addNode("low sphere", glb.addMesh("low sphere", sphere(0.58f, 10, 6), material),
-                translation(-1.28f, -0.2f, 0.25f) * rotationX(0.35f));
-    glb.addNode("high sphere", glb.addMesh("high sphere", sphere(0.58f, 128, 64), material),
-                translation(1.28f, -0.2f, 0.25f));
+    Mesh low = sphere(0.58f, 10, 6), high = sphere(0.58f, 128, 64);
+    low.transform(translation(-1.24f, -0.2f, 0.25f) * rotationX(0.35f));
+    high.transform(translation(1.24f, -0.2f, 0.25f));
+    const auto add = [&](const char* name, Mesh& mesh) {
+        mesh.computeTangents();  // for models of fibres and grooves
+        glb.add(name, mesh, material);
+    };
+    add("pleated bulb", bulb);
+    add("low sphere", low);
+    add("high sphere", high);
 
-    glb.addPointLight("violet", {-2.1f, 2.0f, 2.6f}, {0.5f, 0.22f, 1.0f}, 34.0f);
-    glb.addPointLight("red", {2.9f, 0.1f, 1.5f}, {1.0f, 0.13f, 0.07f}, 17.0f);
+    glb.addPointLight("violet", {-2.1f, 2.0f, 2.6f}, {0.32f, 0.07f, 1.0f}, 40.0f);
+    glb.addPointLight("red", {2.9f, 0.1f, 1.5f}, {1.0f, 0.05f, 0.02f}, 18.0f);
 
     Camera camera;
     camera.name = "front";
     camera.position = glm::vec3(0.0f, 0.45f, 6.2f);
-    camera.target = glm::vec3(0.0f, -0.03f, 0.0f);
-    camera.verticalFovDegrees = 19.5f;
+    camera.target = glm::vec3(0.0f, -0.02f, 0.0f);
+    camera.verticalFovDegrees = 21.5f;
     glb.addCamera(camera);
 }
 
