@@ -40,7 +40,7 @@ std::vector<SceneDefinition> sceneTable()
            {"subdivisions", "facets along a cube edge (12 n^2 triangles)", 32, 2, 512, true}}},
          buildClosedSphere},
         {{"three-objects",
-          "a pleated bulb and two spheres under a violet and a red point light, for lighting models",
+          "a pleated bulb and two spheres under a violet and a red lamp, for lighting models",
           "--mode local --lighting phong --ambient 0.05,0.05,0.05", {}},
          buildThreeObjects},
     };

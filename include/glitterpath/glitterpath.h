@@ -539,8 +539,8 @@ typedef enum GpFalloff {
 
 /* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
  * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
- * their centre with their whole power, directional lights as if their angularRadius were 0. Surfaces
- * that glow show it, but light nothing. The environment is the background, and its mean radiance is
+ * their centre with their whole power, directional lights as if their angularRadius were 0. What
+ * glows shows it, but lights nothing. The environment is the background, and its mean radiance is
  * added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is added too. */
 typedef struct GpLocalLighting {
     GpBsdf model;                 /* the reflectance of all surfaces; its base_color, where it has
