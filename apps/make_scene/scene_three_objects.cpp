@@ -45,8 +45,8 @@ void buildThreeObjects(GlbBuilder& glb, const Parameters&)
     bulb.removeUnusedVertices();
     bulb.transform(translation(0.0f, -0.85f, -0.15f));
     Mesh low = sphere(0.58f, 10, 6), high = sphere(0.58f, 128, 64);
-    low.transform(translation(-1.24f, -0.2f, 0.25f) * rotationX(0.35f));
-    high.transform(translation(1.24f, -0.2f, 0.25f));
+    low.transform(translation(-1.33f, -0.2f, 0.25f) * rotationX(0.35f));
+    high.transform(translation(1.33f, -0.2f, 0.25f));
     const auto add = [&](const char* name, Mesh& mesh) {
         mesh.computeTangents();  // for models of fibres and grooves
         glb.add(name, mesh, material);
@@ -62,7 +62,7 @@ void buildThreeObjects(GlbBuilder& glb, const Parameters&)
     camera.name = "front";
     camera.position = glm::vec3(0.0f, 0.45f, 6.2f);
     camera.target = glm::vec3(0.0f, -0.02f, 0.0f);
-    camera.verticalFovDegrees = 21.5f;
+    camera.verticalFovDegrees = 22.0f;
     glb.addCamera(camera);
 }
 
