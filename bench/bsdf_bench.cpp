@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "shading/shading.h"
+#include "statistics/measured_example.h"
 
 namespace {
 
@@ -69,6 +70,15 @@ void evaluate(benchmark::State& state, BsdfParams m) {
     }
 }
 
+// What bsdf_prepared does once for a material.
+void prepare(benchmark::State& state, BsdfParams m) {
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(m);
+        BsdfParams made = bsdf_prepared(m);
+        benchmark::DoNotOptimize(made);
+    }
+}
+
 template <Sample sampleOf>
 void sample(benchmark::State& state, BsdfParams m) {
     std::size_t i = 0;
@@ -104,11 +114,12 @@ bool staysFinite(const BsdfParams& m) {
 struct Row {
     const char* name;
     uint model;
+    uint flags;
 };
 
 constexpr Row rows[] = {
 #define BSDF_MODEL(number, name, eval, sample_fn, albedo, is_specular, flags, cite, text) \
-    {#name, number},
+    {#name, number, flags},
 #include "shading/bsdf/models.def"
 #undef BSDF_MODEL
 };
@@ -120,7 +131,10 @@ BsdfParams paramsOf(uint model) {
 bool registerModels() {
     bool good = true;
     for (const Row& row : rows) {
-        const BsdfParams m = paramsOf(row.model);
+        BsdfParams m = paramsOf(row.model);
+        if ((row.flags & BSDF_FROM_FILE) != 0u) {
+            m.table = gp::test::measuredExample()->address();
+        }
         if (!staysFinite(m)) {
             fmt::print(stderr, "bsdf_bench: {} is not finite\n", row.name);
             good = false;
@@ -178,6 +192,25 @@ void registerTerms() {
                                  paramsOf(MODEL_GGX_CONDUCTOR));
 }
 
+// Models that derive numbers from their parameters, with and without tables of them.
+void registerPreparations() {
+    const auto add = [](const char* name, uint model, float distribution, float diffuse) {
+        BsdfParams m = bsdf_params_of(model);
+        if (model == MODEL_KULLA_CONTY) {
+            set_kulla_conty_distribution(m, distribution);
+            set_kulla_conty_diffuse(m, vec3(diffuse));
+        } else {
+            set_microfacet_distribution(m, distribution);
+        }
+        benchmark::RegisterBenchmark(fmt::format("prepare/{}", name).c_str(), prepare, m);
+    };
+    add("microfacet, gtr", MODEL_MICROFACET, float(DISTRIBUTION_GTR), 0.0f);
+    add("kulla_conty, ggx", MODEL_KULLA_CONTY, float(DISTRIBUTION_GGX), 0.0f);
+    add("kulla_conty, ggx, matte base", MODEL_KULLA_CONTY, float(DISTRIBUTION_GGX), 0.5f);
+    add("kulla_conty, gtr", MODEL_KULLA_CONTY, float(DISTRIBUTION_GTR), 0.0f);
+    add("kulla_conty, gtr, matte base", MODEL_KULLA_CONTY, float(DISTRIBUTION_GTR), 0.5f);
+}
+
 // What evaluation reads of tables: nothing; and what making a material does.
 void addSizes() {
     const std::size_t albedo = 4 * sizeof(std::array<float, ALBEDO_TABLE_COSINES
@@ -198,6 +231,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     registerTerms();
+    registerPreparations();
     addSizes();
     benchmark::RunSpecifiedBenchmarks();
     return 0;

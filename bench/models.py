@@ -53,7 +53,10 @@ def models(build, quick):
             term, _, how = rest.rpartition("/")
             terms.setdefault(term, {})[how] = time
     plain = {name.partition("/")[2]: t for name, t in times.items() if name.startswith("plain/")}
+    prepared = {name.partition("/")[2]: t for name, t in times.items()
+                if name.startswith("prepare/")}
     ratio = plain["disney"]["value"] / plain["ggx and lambert"]["value"]
     return {"machine": quiet, "models": rows, "terms": terms, "plain": plain,
+            "prepared": prepared,
             "bytes": table_sizes(raw["context"]),
             "disney_against_plain": {"value": ratio, "unit": "times GGX and Lambert"}}

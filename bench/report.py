@@ -152,6 +152,8 @@ def models_part(results):
     terms = [[name] + [number(t[how], 0) for how in ("on", "off", "absent")]
              + [f"{t['off']['value'] / t['absent']['value']:.2f}"]
              for name, t in m["terms"].items()]
+    prepared = [[name, f"{t['value'] / 1000:,.0f} ({t['least'] / 1000:,.0f}.."
+                       f"{t['most'] / 1000:,.0f})"] for name, t in m["prepared"].items()]
     size = m["bytes"]
     plain = m["plain"]
     return ["## Reflectance models", "",
@@ -166,6 +168,8 @@ def models_part(results):
             "What terms cost that are off: nanoseconds an evaluation with the term, with its",
             "parameter at 0, and with code that was compiled without it.", ""] + table(
         ["term", "on", "off", "absent", "off / absent"], terms) + [
+            "Microseconds to make a material, where numbers are derived from its parameters.",
+            ""] + table(["material", "microseconds"], prepared) + [
             f"Tables: {size['albedo_tables']:,} bytes of albedo, read when a material is made and",
             f"never by evaluation; a material has {size['material']} bytes; a core's second cache",
             f"{size['level_2_cache']:,}.", ""]

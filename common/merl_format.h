@@ -13,7 +13,7 @@
 #include <span>
 #include <string>
 
-#include <glm/glm.hpp>
+#include "half_angles.h"
 
 namespace gp::merl {
 
@@ -31,27 +31,14 @@ inline std::array<size_t, 3> placeOf(size_t cell) {
     return {cell / (90 * 180), cell / 180 % 90, cell % 180};
 }
 
-struct DirectionPair {
-    glm::dvec3 wi, wo;  // to the light, to the viewer; the normal is +Z
-};
-
 // The directions at the centre of a cell, the half vector at the azimuth phiH. One of them may lie
 // below the horizon: such cells are -1 in the files.
-// [Rusinkiewicz 1998, EGWR, "A New Change of Variables for Efficient BRDF Representation", 3]
 inline DirectionPair directionsOf(size_t cell, double phiH) {
     const auto [h, d, p] = placeOf(cell);
     const double root = (static_cast<double>(h) + 0.5) / 90.0;  // theta_h goes with its square
-    const double thetaH = 0.5 * M_PI * root * root;
-    const double thetaD = 0.5 * M_PI * (static_cast<double>(d) + 0.5) / 90.0;
-    const double phiD = M_PI * (static_cast<double>(p) + 0.5) / 180.0;
-    // The half vector, the axis that points down from it, and the one across.
-    const glm::dvec3 half(std::sin(thetaH) * std::cos(phiH), std::sin(thetaH) * std::sin(phiH),
-                          std::cos(thetaH));
-    const glm::dvec3 down(std::cos(thetaH) * std::cos(phiH), std::cos(thetaH) * std::sin(phiH),
-                          -std::sin(thetaH));
-    const glm::dvec3 across(-std::sin(phiH), std::cos(phiH), 0.0);
-    const glm::dvec3 side = (down * std::cos(phiD) + across * std::sin(phiD)) * std::sin(thetaD);
-    return {half * std::cos(thetaD) + side, half * std::cos(thetaD) - side};
+    return fromHalfAndDifference(0.5 * M_PI * root * root, phiH,
+                                 0.5 * M_PI * (static_cast<double>(d) + 0.5) / 90.0,
+                                 M_PI * (static_cast<double>(p) + 0.5) / 180.0);
 }
 
 // The whole file. `cells`: red, green and blue of each cell, f in 1/sr; negative: not measured.

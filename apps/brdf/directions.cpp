@@ -9,19 +9,6 @@ glm::dvec3 spherical(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-DirectionPair fromHalfAndDifference(double thetaH, double phiH, double thetaD, double phiD) {
-    // [Rusinkiewicz 1998, section 3]: d is the light as seen with the half vector as the pole.
-    const glm::dvec3 d = spherical(thetaD, phiD);
-    const double c = std::cos(thetaH), s = std::sin(thetaH);
-    const glm::dvec3 tilted(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
-    DirectionPair pair;
-    pair.wi = {std::cos(phiH) * tilted.x - std::sin(phiH) * tilted.y,
-               std::sin(phiH) * tilted.x + std::cos(phiH) * tilted.y, tilted.z};
-    const glm::dvec3 half = spherical(thetaH, phiH);
-    pair.wo = 2.0 * glm::dot(half, pair.wi) * half - pair.wi;
-    return pair;
-}
-
 std::vector<double> placesBetween(double low, double high, std::size_t count,
                                   const std::vector<double>& centers) {
     std::vector<double> places;

@@ -9,12 +9,12 @@
 #include "brdf/models.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "reflectance.h"
 #include "tool_error.h"
 
 namespace gp::tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kNotes =
@@ -56,12 +56,10 @@ private:
 
 void note(const std::string& text) { fmt::print(stderr, "glitterpath: note: {}\n", text); }
 
-void printNotes(GpDevice device, const Json& description, const MerlTable& table) {
-    const auto name = description.at("model").get<std::string>();
-    for (const Json& model : describeModels(device)) {
-        if (model.at("name") == name && model.at("transmissive").get<bool>()) {
-            note(fmt::format("{}: only what is reflected is kept", name));
-        }
+void printNotes(const Model& model, const MerlTable& table) {
+    const auto name = model.description.at("model").get<std::string>();
+    if (model.transmissive) {
+        note(fmt::format("{}: only what is reflected is kept", name));
     }
     if (table.isAnisotropic()) {
         note(fmt::format("{} is anisotropic: a cell is the mean of {} azimuths", name,
@@ -80,8 +78,8 @@ int runExport(const ExportSettings& settings) {
     checkWritable(settings.outputPath);
     const Device device = newModelDevice();
     const Model model = newModel(device.get(), settings.models);
-    MerlTable table(device.get(), model.bsdf);
-    printNotes(device.get(), model.description, table);
+    const MerlTable table(device.get(), model.bsdf);
+    printNotes(model, table);
     Percentage percentage;
     writeText(settings.outputPath, table.file([&](double part) { percentage.show(part); }));
     return kExitSuccess;

@@ -1,10 +1,6 @@
 #include "brdf/merl_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "tool_error.h"
+#include <cmath>
 
 namespace gp::tool {
 namespace {
@@ -15,23 +11,15 @@ constexpr std::size_t kProbeStep = 997;
 // Rounding gives a narrow lobe differences of a thousandth.
 constexpr double kSame = 0.01;
 
-bool isAbove(const merl::DirectionPair& pair) { return pair.wi.z > 0.0 && pair.wo.z > 0.0; }
-
-merl::DirectionPair reversed(const merl::DirectionPair& pair) { return {pair.wo, pair.wi}; }
-
-void append(std::vector<float>& list, const glm::dvec3& d) {
-    for (int i = 0; i < 3; ++i) {
-        list.push_back(static_cast<float>(d[i]));
-    }
-}
+DirectionPair reversed(const DirectionPair& pair) { return {pair.wo, pair.wi}; }
 
 }  // namespace
 
 MerlTable::MerlTable(GpDevice device, const Bsdf& bsdf) : m_device(device), m_bsdf(bsdf) {
     Pairs at, turned, back;
     for (std::size_t cell = 0; cell < merl::cellCount; cell += kProbeStep) {
-        const merl::DirectionPair pair = merl::directionsOf(cell, 0.0);
-        if (!isAbove(pair)) {
+        const DirectionPair pair = merl::directionsOf(cell, 0.0);
+        if (!pair.aboveHorizon()) {
             continue;
         }
         at.push_back(pair);
@@ -42,43 +30,37 @@ MerlTable::MerlTable(GpDevice device, const Bsdf& bsdf) : m_device(device), m_bs
     m_reciprocal = difference(at, back) <= kSame;
 }
 
-std::vector<glm::dvec3> MerlTable::evaluate(const Pairs& pairs) const {
-    std::vector<float> wi, wo;
-    for (const merl::DirectionPair& pair : pairs) {
-        append(wi, pair.wi);
-        append(wo, pair.wo);
+std::vector<GpBsdfValue> MerlTable::evaluate(const Pairs& pairs) const {
+    std::vector<glm::vec3> wi, wo;
+    for (const DirectionPair& pair : pairs) {
+        wi.emplace_back(pair.wi);
+        wo.emplace_back(pair.wo);
     }
-    std::vector<GpBsdfValue> values(pairs.size());
-    check(m_device,
-          gpEvaluateBsdf(m_bsdf.get(), pairs.size(), wi.data(), wo.data(), values.data()));
-    std::vector<glm::dvec3> f;
-    for (const GpBsdfValue& value : values) {
-        f.emplace_back(value.f[0], value.f[1], value.f[2]);
-    }
-    return f;
+    return tool::evaluate(m_device, m_bsdf, wi, wo);
 }
 
 double MerlTable::difference(const Pairs& a, const Pairs& b) const {
-    const std::vector<glm::dvec3> first = evaluate(a), second = evaluate(b);
+    const std::vector<GpBsdfValue> first = evaluate(a), second = evaluate(b);
     double differences = 0, sum = 0;
     for (std::size_t i = 0; i < first.size(); ++i) {
-        const glm::dvec3 apart = glm::abs(first[i] - second[i]);
-        const glm::dvec3 both = 0.5 * (first[i] + second[i]);
-        differences += apart.x + apart.y + apart.z;
-        sum += both.x + both.y + both.z;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double x = first[i].f[c], y = second[i].f[c];
+            differences += std::abs(x - y);
+            sum += 0.5 * (x + y);
+        }
     }
     return sum > 0 ? differences / sum : 0;
 }
 
 // What a cell is the mean of: nothing where it is below the horizon.
 void MerlTable::appendPairs(std::size_t cell, Pairs& pairs) const {
-    if (!isAbove(merl::directionsOf(cell, 0.0))) {
+    if (!merl::directionsOf(cell, 0.0).aboveHorizon()) {
         return;
     }
     const std::size_t count = m_anisotropic ? azimuths : 1;
     for (std::size_t k = 0; k < count; ++k) {
         const double turns = static_cast<double>(k) / static_cast<double>(count);
-        const merl::DirectionPair pair = merl::directionsOf(cell, 2.0 * M_PI * turns);
+        const DirectionPair pair = merl::directionsOf(cell, 2.0 * M_PI * turns);
         pairs.push_back(pair);
         if (!m_reciprocal) {
             pairs.push_back(reversed(pair));
@@ -95,18 +77,18 @@ std::string MerlTable::file(const std::function<void(double)>& progress) const {
             appendPairs(begin + ends.size(), pairs);
             ends.push_back(pairs.size());
         }
-        const std::vector<glm::dvec3> f = evaluate(pairs);
+        const std::vector<GpBsdfValue> values = evaluate(pairs);
         for (std::size_t i = 0, k = 0; i < ends.size(); k = ends[i++]) {
             if (k == ends[i]) {
                 continue;
             }
-            glm::dvec3 sum(0);
-            for (std::size_t j = k; j < ends[i]; ++j) {
-                sum += f[j];
-            }
             for (std::size_t c = 0; c < 3; ++c) {
-                const double mean = sum[static_cast<int>(c)] / static_cast<double>(ends[i] - k);
-                cells[3 * (begin + i) + c] = static_cast<float>(mean);
+                double sum = 0;
+                for (std::size_t j = k; j < ends[i]; ++j) {
+                    sum += values[j].f[c];
+                }
+                cells[3 * (begin + i) + c] =
+                    static_cast<float>(sum / static_cast<double>(ends[i] - k));
             }
         }
         begin += ends.size();

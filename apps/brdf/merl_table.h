@@ -26,8 +26,8 @@ public:
     std::string file(const std::function<void(double)>& progress) const;
 
 private:
-    using Pairs = std::vector<merl::DirectionPair>;
-    std::vector<glm::dvec3> evaluate(const Pairs& pairs) const;
+    using Pairs = std::vector<DirectionPair>;
+    std::vector<GpBsdfValue> evaluate(const Pairs& pairs) const;
     // The sum of differences as a share of the sum.
     double difference(const Pairs& a, const Pairs& b) const;
     void appendPairs(std::size_t cell, Pairs& pairs) const;

@@ -262,6 +262,8 @@ typedef struct GpMaterialDesc {
     GpBsdf bsdf;
     const GpMaterialLayer* layers; /* blended over bsdf, in this order: parameters, not results */
     uint32_t layerCount;           /* at most 16 */
+    const char* preset;            /* in the place of bsdf and layers: any word that a GpBsdfDesc
+                                      takes as model; stacks of a file bring their masks */
 } GpMaterialDesc;
 
 /* desc may be NULL: white and diffuse with a dielectric sheen of its index. */
@@ -539,9 +541,10 @@ typedef enum GpFalloff {
 
 /* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
  * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
- * their centre with their whole power, directional lights as if their angularRadius were 0. What
- * glows shows it, but lights nothing. The environment is the background, and its mean radiance is
- * added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is added too. */
+ * their centre with their whole power, directional lights as if their angularRadius were 0.
+ * Surfaces that glow show it, but light nothing. The environment is the background, and its mean
+ * radiance is added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is
+ * added too. */
 typedef struct GpLocalLighting {
     GpBsdf model;                 /* the reflectance of all surfaces; its base_color, where it has
                                      one, is multiplied by theirs. NULL = each has its own */
@@ -645,7 +648,9 @@ typedef struct GpBsdfParameter {
 } GpBsdfParameter;
 
 typedef struct GpBsdfDesc {
-    const char* model;                 /* required; or the path of a MERL file, FILE.binary */
+    const char* model;                 /* required: the name of a model (gpDescribeBsdfModels) or
+                                          of a preset (gpDescribePresets), FILE.toml#NAME or
+                                          FILE.binary (measured) */
     GpBsdfDialect dialect;             /* GP_DIALECT_OWN */
     const GpBsdfParameter* parameters; /* those that are not here have their defaults */
     uint32_t parameterCount;
@@ -665,13 +670,17 @@ enum {
 };
 
 typedef struct GpBsdfSample {
-    float wi[3];     /* to the light, unit length; zeros where the sample failed, and all else too */
+    float wi[3];     /* to the light, unit length; a failed sample is all zeros */
     float pdf;       /* 1/sr */
     float weight[3]; /* f |cos_i| / pdf: its mean is the directional albedo. Of radiance: what is
                         refracted has the factor (index at wo / index at wi)^2 */
     uint32_t lobe;   /* GP_LOBE_ bits */
 } GpBsdfSample;
 
+/* The presets as a JSON text: name, title, group and layers, each with model and parameters; sizes
+ * as in gpDescribeScene. path NULL: those of the library, else of a TOML file (docs/manual.md). */
+GP_API GpError gpDescribePresets(GpDevice device, const char* path, char* text, size_t size,
+                                 size_t* needed);
 /* All models with their parameters, ranges, defaults and references as a JSON text; sizes as in
  * gpDescribeScene. */
 GP_API GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed);

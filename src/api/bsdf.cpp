@@ -4,7 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include "api/check.h"
-#include "scene/bsdf_dialect.h"
+#include "io/bsdf_source.h"
 #include "scene/bsdf_evaluate.h"
 #include "scene/measured_brdf.h"
 
@@ -65,7 +65,7 @@ std::string describeModels() {
     return all.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string describe(const BsdfSettings& settings) {
+Json jsonOf(const BsdfSettings& settings) {
     Json parameters = Json::object();
     for (size_t i = 0; i < settings.values.size(); ++i) {
         const BsdfParameterInfo& p = settings.model->parameters[i];
@@ -75,6 +75,33 @@ std::string describe(const BsdfSettings& settings) {
                 {"parameters", parameters},
                 {"notices", settings.notices}};
     if (settings.measured) all["file"] = settings.measured->name;
+    return all;
+}
+
+std::string describePresets(const std::vector<io::Preset>& presets) {
+    Json all = Json::array();
+    for (const io::Preset& preset : presets) {
+        Json layers = Json::array();
+        for (const io::PresetLayer& layer : preset.layers) {
+            Json j = jsonOf(layer.bsdf);
+            j["weight"] = layer.weight;
+            if (!layer.maskPath.empty()) {
+                j["mask"] = layer.maskPath;
+                j["channel"] = layer.channel;
+            }
+            layers.push_back(std::move(j));
+        }
+        all.push_back({{"name", preset.name},
+                       {"title", preset.title},
+                       {"group", preset.group},
+                       {"reference", preset.reference},
+                       {"layers", std::move(layers)}});
+    }
+    return all.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string describe(const BsdfSettings& settings) {
+    const Json all = jsonOf(settings);
     return all.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -89,7 +116,7 @@ BsdfSettings settingsFrom(const GpBsdfDesc& desc) {
         words.emplace_back(desc.parameters[i].name, desc.parameters[i].value);
     }
     try {
-        return bsdfFromWords(dialect, desc.model, words);
+        return io::bsdfFromName(dialect, desc.model, words);
     } catch (const BsdfError& error) {
         fail(GP_ERROR_INVALID_ARGUMENT, "{}", error.what());
     }
@@ -165,6 +192,15 @@ extern "C" {
 GpError gpDescribeBsdfModels(GpDevice device, char* text, size_t size, size_t* needed) {
     return enter("gpDescribeBsdfModels", "device", device,
                  [&](DeviceObject&) { giveText(describeModels(), text, size, needed); });
+}
+
+GpError gpDescribePresets(GpDevice device, const char* path, char* text, size_t size,
+                          size_t* needed) {
+    return enter("gpDescribePresets", "device", device, [&](DeviceObject&) {
+        if (path) checkPath(path);
+        giveText(describePresets(path ? gp::io::readPresets(path) : gp::io::builtInPresets()),
+                 text, size, needed);
+    });
 }
 
 GpBsdf gpNewBsdf(GpDevice device, const GpBsdfDesc* desc) {

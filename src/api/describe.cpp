@@ -6,6 +6,7 @@
 
 #include "scene/bsdf_registry.h"
 #include "scene/environment_table.h"
+#include "scene/measured_brdf.h"
 
 namespace gp::api {
 
@@ -56,6 +57,7 @@ Json jsonOf(const MaterialLayer& layer, Numbering<Texture>& textures) {
             parameters[p.name] = bsdfValueText(p, settings.values[i]);
     }
     Json j = {{"model", settings.model->name}, {"parameters", parameters}};
+    if (settings.measured) j["file"] = settings.measured->name;
     if (layer.weight != 1) j["weight"] = layer.weight;
     if (layer.mask.texture) {
         j["mask"] = textures.of(layer.mask.texture.get());

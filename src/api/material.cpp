@@ -1,5 +1,6 @@
 #include "api/check.h"
-#include "scene/bsdf_registry.h"
+#include "api/pixels.h"
+#include "io/bsdf_source.h"
 
 namespace gp::api {
 
@@ -151,6 +152,7 @@ private:
 
     void readLayers() {
         const GpMaterialDesc& d = desc_;
+        if (d.preset) return readPreset();
         if (!d.bsdf) {
             if (d.layerCount > 0)
                 fail(GP_ERROR_INVALID_ARGUMENT, "layers lie over bsdf, which is NULL");
@@ -159,16 +161,47 @@ private:
         refuseGltfFields();
         MaterialLayer bottom;
         bottom.bsdf = resolve(device_, d.bsdf, "bsdf")->settings;
-        const BsdfModelInfo& model = *bottom.bsdf->model;
-        if (material_.baseColorTexture.texture && !model.hasBaseColor())
-            fail(GP_ERROR_INVALID_ARGUMENT,
-                 "baseColorTexture multiplies base_color, which the model {} has not got",
-                 model.name);
         material_.layers.push_back(std::move(bottom));
+        checkBaseColor();
         if (d.layerCount > layerLimit)
             fail(GP_ERROR_TOO_LARGE, "layerCount is {}, more than {}", d.layerCount, layerLimit);
         if (d.layerCount > 0) checkPointer(d.layers, "layers");
         for (uint32_t i = 0; i < d.layerCount; ++i) readLayer(d.layers[i], i);
+    }
+
+    void readPreset() {
+        if (desc_.bsdf || desc_.layerCount > 0)
+            fail(GP_ERROR_INVALID_ARGUMENT, "preset stands in the place of bsdf and layers");
+        refuseGltfFields();
+        try {
+            for (io::PresetLayer& source : io::stackFromName(desc_.preset).layers) {
+                MaterialLayer layer;
+                layer.bsdf = std::make_shared<const BsdfSettings>(std::move(source.bsdf));
+                layer.weight = source.weight;
+                layer.channel = source.channel;
+                if (!source.maskPath.empty()) layer.mask.texture = maskFrom(source.maskPath);
+                material_.layers.push_back(std::move(layer));
+            }
+        } catch (const BsdfError& error) {
+            fail(GP_ERROR_INVALID_ARGUMENT, "preset: {}", error.what());
+        }
+        checkBaseColor();
+    }
+
+    static std::shared_ptr<const Texture> maskFrom(const std::string& path) {
+        TextureDesc mask;
+        mask.name = path;
+        mask.colorSpace = ColorSpace::linear;
+        mask.image = readImageFile(path).image;
+        return makeTexture(std::move(mask));
+    }
+
+    void checkBaseColor() const {
+        const BsdfModelInfo& model = *material_.layers[0].bsdf->model;
+        if (material_.baseColorTexture.texture && !model.hasBaseColor())
+            fail(GP_ERROR_INVALID_ARGUMENT,
+                 "baseColorTexture multiplies base_color, which the model {} has not got",
+                 model.name);
     }
 
     void readLayer(const GpMaterialLayer& source, uint32_t index) {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
-#include "io/merl.h"
 #include "scene/find_by_name.h"
 
 namespace gp {
@@ -109,15 +108,8 @@ const std::vector<DialectModel>& dialectModels() {
 }
 
 BsdfSettings bsdfFromWords(BsdfDialect dialect, const std::string& model, const BsdfWords& words) {
-    const bool measured = io::isMerlName(model);
-    if (dialect == BsdfDialect::own || measured) {
-        BsdfSettings settings(findBsdfModel(measured ? "measured" : model));
-        if (measured) {
-            settings.measured = io::readMerl(model);
-        } else if (settings.model->fromFile) {
-            throw BsdfError(fmt::format("{}: this model is made from a file, whose path is then "
-                                        "the model's name (FILE.binary)", model));
-        }
+    if (dialect == BsdfDialect::own) {
+        BsdfSettings settings(findBsdfModel(model));
         for (const auto& [name, text] : words) settings.set(name, text);
         return settings;
     }

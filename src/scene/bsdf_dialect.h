@@ -43,9 +43,8 @@ const std::vector<DialectModel>& dialectModels();
 // The part of them that microfacets and Disney's models have.
 std::vector<DialectModel> microfacetDialectModels();
 
-// A model by name with parameters by name, in a dialect's words: the one place where a name becomes
-// a model. A name that ends with .binary is the path of a measured material, in every dialect, with
-// our own parameters. Throws BsdfError, io::FileError.
+// A model of the registry with parameters by name, in a dialect's words. (io/bsdf_source.h knows
+// presets and files as well.) Throws BsdfError.
 BsdfSettings bsdfFromWords(BsdfDialect dialect, const std::string& model, const BsdfWords& words);
 
 }  // namespace gp

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "scene/find_by_name.h"
+#include "scene/measured_brdf.h"
 #include "shading/shading.h"
 
 namespace gp {
@@ -228,6 +229,10 @@ std::string whyNotBlended(const BsdfSettings& below, const BsdfSettings& above) 
     if (below.model != above.model) {
         return fmt::format("{} cannot be blended over {}: layers are parameters of one model",
                            above.model->name, below.model->name);
+    }
+    if (below.measured && above.measured && below.measured->name != above.measured->name) {
+        return fmt::format("{} is another file than {}, and there is nothing in between",
+                           above.measured->name, below.measured->name);
     }
     for (std::size_t i = 0; i < below.values.size(); ++i) {
         const BsdfParameterInfo& p = below.model->parameters[i];

@@ -51,6 +51,8 @@
 #include "shading/microfacet/masking.glsl"
 #include "shading/microfacet/distribution.glsl"
 #include "shading/microfacet/smith_quadrature.glsl"
+#include "shading/microfacet/facet_sampling.glsl"
+#include "shading/microfacet/mirror_albedo.glsl"
 #include "shading/bsdf/bsdf.glsl"
 #include "shading/bsdf/blend.glsl"
 

@@ -230,8 +230,8 @@ BsdfParams paramsOfBbm(const GoldenRow& row) {
     m.alpha_x = jsonNumber(row.at("params"), "alpha_x");
     m.alpha_y = jsonNumber(row.at("params"), "alpha_y");
     m.ior = jsonNumber(row.at("params"), "ior");
-    const uint masking = has("vcavity") ? MASKING_CHOICE_V_CAVITY
-                       : has("heightcorr") ? MASKING_CHOICE_CORRELATED : MASKING_CHOICE_SEPARABLE;
+    const uint masking = has("vcavity") ? MASKING_V_CAVITY
+                       : has("heightcorr") ? MASKING_CORRELATED : MASKING_SEPARABLE;
     const uint distribution = has("ggx") ? DISTRIBUTION_GGX : DISTRIBUTION_BECKMANN;
     m.slot_a = vec4(float(distribution), float(masking), float(FRESNEL_CHOICE_DIELECTRIC), 2.0f);
     m.slot_d.w = has("rational") ? 1.0f : 0.0f;
@@ -269,7 +269,7 @@ TEST(GoldenMicrofacet, ModelMatchesWalter) {
         m.alpha_x = m.alpha_y = jsonNumber(json, "alphaG");
         m.ior = jsonNumber(json, "ior");
         const bool fresnel = json.find("\"useFresnel\":true") != std::string::npos;
-        m.slot_a.y = float(MASKING_CHOICE_SEPARABLE);
+        m.slot_a.y = float(MASKING_SEPARABLE);
         m.slot_a.z = float(fresnel ? FRESNEL_CHOICE_DIELECTRIC : FRESNEL_CHOICE_NONE);
         const vec3 l(number(row, "lx"), number(row, "ly"), number(row, "lz"));
         const vec3 v(number(row, "vx"), number(row, "vy"), number(row, "vz"));

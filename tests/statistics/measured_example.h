@@ -13,8 +13,8 @@ namespace gp::test {
 
 // f at the centre of a cell; negative below the horizon.
 inline glm::dvec3 measuredExampleAt(std::size_t cell) {
-    const merl::DirectionPair pair = merl::directionsOf(cell, 0.0);
-    if (pair.wi.z <= 0.0 || pair.wo.z <= 0.0) return glm::dvec3(-1.0);
+    const DirectionPair pair = merl::directionsOf(cell, 0.0);
+    if (!pair.aboveHorizon()) return glm::dvec3(-1.0);
     const glm::dvec3 h = glm::normalize(pair.wi + pair.wo);
     const double tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
     const double cosD = glm::dot(h, pair.wi);

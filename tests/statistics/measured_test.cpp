@@ -21,9 +21,8 @@ BsdfParams paramsOf(const MeasuredBrdf& brdf, float interpolation = 0.0f) {
 std::shared_ptr<const MeasuredBrdf> constant(float f) {
     LargeVector<float> cells(3 * merl::cellCount);
     for (std::size_t cell = 0; cell < merl::cellCount; ++cell) {
-        const merl::DirectionPair pair = merl::directionsOf(cell, 0.0);
-        const bool above = pair.wi.z > 0.0 && pair.wo.z > 0.0;
-        for (std::size_t c = 0; c < 3; ++c) cells[3 * cell + c] = above ? f : -1.0f;
+        const DirectionPair pair = merl::directionsOf(cell, 0.0);
+        for (std::size_t c = 0; c < 3; ++c) cells[3 * cell + c] = pair.aboveHorizon() ? f : -1.0f;
     }
     return makeMeasuredBrdf("constant", std::move(cells));
 }
@@ -117,7 +116,7 @@ TEST(Measured, CentresOfCellsHaveTheirValues) {
     Random random(3);
     for (int i = 0; i < 50'000; ++i) {
         const std::size_t cell = random.next() % merl::cellCount;
-        const merl::DirectionPair pair = merl::directionsOf(cell, 6.0 * double(random.uniform()));
+        const DirectionPair pair = merl::directionsOf(cell, 6.0 * double(random.uniform()));
         if (std::min(pair.wi.z, pair.wo.z) < 0.02) continue;
         const vec3 wi(pair.wi), wo(pair.wo);
         const vec3 value = merl_cell(brdf.address(), uint(cell));

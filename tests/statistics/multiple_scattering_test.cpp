@@ -161,7 +161,8 @@ TEST(MultipleScattering, CoupledDiffuseIsWhite) {
             const float through = 1.0f - fresnel_dielectric(cosO, eta);
             const double diffuse = M_PI * hemisphereAverage([&](double mu) {
                 const float in = 1.0f - fresnel_dielectric(float(mu), eta);
-                return double(coupled_diffuse(vec3(1.0f), through, in, float(average)).x);
+                return double(coupled_diffuse(vec3(1.0f), vec3(through), vec3(in),
+                                              vec3(float(average))).x);
             }, 0.1);
             EXPECT_NEAR(diffuse + 1.0 - double(through), 1.0, 1e-4);
         }

@@ -5,9 +5,9 @@
 
 #define MEASURED_NEAREST 1u
 
-// Sampled by the cosine; the rest by the data. It bounds the weights (f pi / 0.1 at most) where the
+// Sampled by the cosine; the rest by the data. It bounds the weights (20 pi f at most) where the
 // density's nodes lie wider than the data's features.
-#define MEASURED_COSINE_SHARE 0.1f
+#define MEASURED_COSINE_SHARE 0.05f
 
 bool measured_is_black(IN(BsdfParams) m, vec3 wo) {
     return wo.z <= 0.0f || !table_exists(m.table);

@@ -61,6 +61,10 @@ struct BsdfParams {
     vec4 slot_d;
     vec4 slot_e;
     vec4 slot_f;
+    vec4 slot_g;
+    vec4 slot_h;
+    vec4 slot_i;
+    vec4 slot_j;
     uvec2 table;                     // what a measured model looks up: an address, as in lang.h
 };
 
@@ -137,6 +141,10 @@ BsdfParams bsdf_params_of(uint model) {
     m.slot_d = vec4(0.0f);
     m.slot_e = vec4(0.0f);
     m.slot_f = vec4(0.0f);
+    m.slot_g = vec4(0.0f);
+    m.slot_h = vec4(0.0f);
+    m.slot_i = vec4(0.0f);
+    m.slot_j = vec4(0.0f);
     m.table = uvec2(0u);
 #define BSDF_FIELD(number, name, type, field, initial, minimum, maximum, outside, unit, text) \
     if (model == number) { BSDF_SET_##type(m.field, initial) }

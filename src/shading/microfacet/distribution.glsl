@@ -39,6 +39,11 @@ bool distribution_needs_fit(uint kind) {
     return kind >= DISTRIBUTION_GTR && kind != DISTRIBUTION_EXPONENTIAL_POWER;
 }
 
+// Long tails are no mirror, however narrow the peak.
+bool distribution_has_short_tail(uint kind) {
+    return kind <= DISTRIBUTION_BECKMANN || kind == DISTRIBUTION_BLINN_PHONG;
+}
+
 float distribution_mean_alpha(IN(Distribution) d) {
     return d.alpha_x == d.alpha_y ? d.alpha_x : sqrt(d.alpha_x * d.alpha_y);
 }

@@ -6,6 +6,12 @@
 #define GP_SHADING_MICROFACET_MASKING_GLSL
 #include "shading/constants.glsl"
 
+// Those that keep energy with every distribution, in the order of their names in parameters.def.
+#define MASKING_CORRELATED 0u
+#define MASKING_SEPARABLE 1u
+#define MASKING_VAN_GINNEKEN 2u
+#define MASKING_V_CAVITY 3u
+
 // Nothing but what the denominator takes away again.
 // [Hoffman 2013, SIGGRAPH course, "Background: Physics and Math of Shading"]
 float masking_implicit(float o, float i) {
@@ -99,6 +105,17 @@ float azimuth_between(vec3 wo, vec3 wi) {
 float masking_van_ginneken(float lambda_o, float lambda_i, float azimuth) {
     float kappa = 4.41f * azimuth / (4.41f * azimuth + 1.0f);
     return 1.0f / (1.0f + max(lambda_o, lambda_i) + kappa * min(lambda_o, lambda_i));
+}
+
+// Any of Smith's.
+float masking_smith(uint masking, float lambda_o, float lambda_i, vec3 wo, vec3 wi) {
+    switch (masking) {
+    case MASKING_SEPARABLE: return masking_separable(lambda_o, lambda_i);
+    case MASKING_VAN_GINNEKEN:
+        return masking_van_ginneken(lambda_o, lambda_i, azimuth_between(wo, wi));
+    default: break;
+    }
+    return masking_correlated(lambda_o, lambda_i);
 }
 
 #endif

@@ -13,6 +13,7 @@
 #define GP_SHADING_MICROFACET_MULTIPLE_SCATTERING_GLSL
 #include "shading/constants.glsl"
 #include "shading/microfacet/albedo_tables.glsl"
+#include "shading/microfacet/chebyshev.glsl"
 #include "shading/microfacet/table_lookup.glsl"
 
 #define ROUGH_MIRROR_GGX_SEPARABLE 0u
@@ -69,53 +70,35 @@ float single_scattering_loss_average(uint surface, float alpha) {
     return clamp(a * sum, 0.0f, 1.0f);
 }
 
-// The losses of one surface, made once a material from the tables: Chebyshev coefficients over
-// albedo_column, which add an error below 3e-4. Evaluation thus needs no table, whose constants
-// some GLSL compilers copy for every read (llvmpipe takes minutes over them).
+// The losses of one surface, made once a material, from the tables or by quadrature
+// (mirror_albedo.glsl): Chebyshev coefficients over albedo_column. Evaluation thus needs no table,
+// whose constants some GLSL compilers copy for every read (llvmpipe takes minutes over them).
 struct ScatteringLoss {
-    uint surface;
-    float alpha;
-    float average;  // 1 - E_avg
-    vec4 low;       // coefficients 0 to 3, 4 to 7, 8 to 11
-    vec4 middle;
-    vec4 high;
+    Chebyshev loss;  // 1 - E
+    float average;   // 1 - E_avg
+    float width;     // of albedo_column, with `root`
+    bool root;
 };
 
+// From the tables; the coefficients add an error below 3e-4.
 ScatteringLoss scattering_loss_of(uint surface, float alpha) {
     ScatteringLoss l;
-    l.surface = surface;
-    l.alpha = clamp(alpha, 1.0e-4f, 1.0f);
+    l.width = clamp(alpha, 1.0e-4f, 1.0f);
+    l.root = surface == ROUGH_MIRROR_GGX_CORRELATED;
     l.average = single_scattering_loss_average(surface, alpha);
-    l.low = vec4(0.0f);
-    l.middle = vec4(0.0f);
-    l.high = vec4(0.0f);
-    bool root = surface == ROUGH_MIRROR_GGX_CORRELATED;
+    l.loss = chebyshev_none();
     for (int k = 0; k < 12; ++k) {
-        float angle = PI / 12.0f * (float(k) + 0.5f);
-        float cos_k = albedo_column_cosine(0.5f + 0.5f * cos(angle), l.alpha, root);
-        float value = single_scattering_loss(surface, cos_k, l.alpha) / 6.0f;
-        for (int j = 0; j < 4; ++j) {
-            l.low[j] += (j == 0 ? 0.5f : 1.0f) * value * cos(float(j) * angle);
-            l.middle[j] += value * cos(float(j + 4) * angle);
-            l.high[j] += value * cos(float(j + 8) * angle);
-        }
+        float cos_k = albedo_column_cosine(chebyshev_node(k, 12), l.width, l.root);
+        float value = single_scattering_loss(surface, cos_k, l.width);
+        l.loss = chebyshev_with_node(l.loss, value, k, 12);
     }
     return l;
 }
 
-// 1 - E at an angle. [Press et al. 2007, "Numerical Recipes", section 5.8, Clenshaw's recurrence]
+// 1 - E at an angle.
 float scattering_loss(IN(ScatteringLoss) l, float cos_o) {
-    bool root = l.surface == ROUGH_MIRROR_GGX_CORRELATED;
-    float t = 4.0f * albedo_column(clamp(cos_o, 0.0f, 1.0f), l.alpha, root) - 2.0f;
-    float next = 0.0f;
-    float here = 0.0f;
-    for (int j = 11; j > 0; --j) {
-        float c = j < 4 ? l.low[j] : j < 8 ? l.middle[j - 4] : l.high[j - 8];
-        float value = t * here - next + c;
-        next = here;
-        here = value;
-    }
-    return clamp(0.5f * t * here - next + l.low.x, 0.0f, 1.0f);
+    float column = albedo_column(clamp(cos_o, 0.0f, 1.0f), l.width, l.root);
+    return clamp(chebyshev_value(l.loss, column), 0.0f, 1.0f);
 }
 
 // The lobe f_ms from the losses towards wo and wi and their average; its integral with cos_i is
@@ -150,8 +133,8 @@ float fresnel_dielectric_average(float eta) {
 // A diffuse base under a mirror: what the mirror, F included, lets through on the way in and out.
 // through: 1 - E_s at an angle; through_average: 1 - E_s,avg. A white base makes all of it white.
 // [Kelemen and Szirmay-Kalos 2001, equation 5; Kulla and Conty 2017, "Diffuse"]
-vec3 coupled_diffuse(vec3 reflectance, float through_o, float through_i, float through_average) {
-    return reflectance * multiple_scattering(through_o, through_i, through_average);
+vec3 coupled_diffuse(vec3 reflectance, vec3 through_o, vec3 through_i, vec3 through_average) {
+    return reflectance * INV_PI * through_o * through_i / max(through_average, vec3(1.0e-6f));
 }
 
 #endif

@@ -25,6 +25,8 @@ float steepest_slope(IN(Distribution) d, float alpha) {
     case DISTRIBUTION_BLINN_PHONG:
         return sqrt(exp(min(40.0f / (1.0f / (alpha * alpha) + 1.0f), 18.0f)) - 1.0f);
     case DISTRIBUTION_SHIFTED_GAMMA: return sqrt(20.0f * alpha);
+    case DISTRIBUTION_BECKMANN: return 6.3f * alpha;
+    case DISTRIBUTION_EXPONENTIAL_POWER: return alpha * pow(40.0f, 0.5f / d.shape);
     default: break;
     }
     return 1.0e4f;

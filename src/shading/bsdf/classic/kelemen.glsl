@@ -6,6 +6,7 @@
 #include "shading/fresnel.glsl"
 #include "shading/microfacet/beckmann.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
+#include "shading/microfacet/multiple_scattering.glsl"
 #include "shading/bsdf/classic/lobes.glsl"
 
 // Albedo of the facets with F = 1, and weighted by (1 - cos_h)^5: our own fits to quadratures of
@@ -57,7 +58,7 @@ vec3 kelemen_through(IN(BsdfParams) m, GgxAlbedo e) {
 vec3 kelemen_matte(IN(BsdfParams) m, vec3 through_o, float cos_i) {
     vec3 through_i = kelemen_through(m, kelemen_albedo_terms(cos_i, m.alpha_x));
     vec3 average = max(kelemen_through(m, kelemen_albedo_average(m.alpha_x)), vec3(0.02f));
-    return m.base_color * INV_PI * through_o * through_i / average;
+    return coupled_diffuse(m.base_color, through_o, through_i, average);
 }
 
 float kelemen_share(IN(BsdfParams) m, vec3 through_o) {
