@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "library.h"
+#include "local_settings.h"
 #include "parse.h"
 
 namespace CLI {
@@ -29,7 +30,7 @@ struct RenderSettings {
     GpLoadOptions load{};
     std::vector<std::string> materials;  // --material, as written
     Size size{1280, 720};
-    bool quiet = false;
+    bool sizeGiven = false, quiet = false;
 
     // light
     std::string environmentPath;
@@ -46,6 +47,9 @@ struct RenderSettings {
     GpRenderOptions options{};
     std::uint32_t bounces = 16;
 
+    // --mode local, and what belongs to it
+    LocalSettings local;
+
     // the picture
     std::optional<double> exposureEv;  // none: automatic
     bool exposureGiven = false, tonemapGiven = false;
@@ -61,7 +65,7 @@ void addRenderOptions(CLI::App& app, RenderSettings& settings);
 // By the ending of the name; throws UsageError.
 PictureFormat pictureFormat(const std::string& path);
 
-// What no single option can know by itself; throws UsageError.
-void checkSettings(const RenderSettings& settings);
+// What no single option can know by itself; throws UsageError. `app` is the one of addRenderOptions.
+void checkSettings(const CLI::App& app, const RenderSettings& settings);
 
 }  // namespace gp::tool
