@@ -197,6 +197,12 @@ private:
 
 }  // namespace
 
+Rgb8 rgb8FromSrgb(const glm::vec3& srgb) {
+    const glm::vec3 v = glm::clamp(srgb, 0.0f, 1.0f) * 255.0f + 0.5f;
+    return {static_cast<unsigned char>(v.x), static_cast<unsigned char>(v.y),
+            static_cast<unsigned char>(v.z)};
+}
+
 void drawPictureGrid(const PictureGrid& grid, const std::string& path) {
     drawWithGnuplot(Sheet(grid).job(), path);
 }

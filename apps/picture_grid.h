@@ -1,6 +1,8 @@
 // Pictures side by side with titles, axes and a scale of colours: one sheet, drawn by gnuplot.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -9,6 +11,9 @@
 namespace gp::tool {
 
 using Rgb8 = std::array<unsigned char, 3>;
+
+// sRGB-encoded, 0 to 1; clipped there.
+Rgb8 rgb8FromSrgb(const glm::vec3& srgb);
 
 struct GridPicture {
     std::string title;         // above it; broken into lines where it is too long

@@ -9,6 +9,9 @@ Command addBrdfList(CLI::App& brdf);
 Command addBrdfEval(CLI::App& brdf);
 Command addBrdfPlot(CLI::App& brdf);
 Command addBrdfSlice(CLI::App& brdf);
+Command addBrdfCheck(CLI::App& brdf);
+Command addBrdfSphere(CLI::App& brdf);
+Command addBrdfSweep(CLI::App& brdf);
 Command addBrdfExport(CLI::App& brdf);
 
 }  // namespace gp::tool

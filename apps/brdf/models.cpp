@@ -44,6 +44,7 @@ Model make(GpDevice device, const std::string& word, GpBsdfDialect dialect,
     const ModelWord own = parseModelWord(word);
     Model model;
     model.label = word;
+    model.made = own;
     try {
         model.bsdf = newBsdf(device, own.name, dialect, own.parameters);
         model.description = describeBsdf(device, model.bsdf);
@@ -56,6 +57,7 @@ Model make(GpDevice device, const std::string& word, GpBsdfDialect dialect,
         }
         if (!all.empty()) {
             all.insert(all.end(), own.parameters.begin(), own.parameters.end());
+            model.made.parameters = all;
             model.bsdf = newBsdf(device, own.name, dialect, all);
             model.description = describeBsdf(device, model.bsdf);
         }
@@ -127,6 +129,12 @@ std::vector<Model> newModels(GpDevice device, const ModelOptions& options) {
         }
     }
     return models;
+}
+
+Bsdf variantOf(GpDevice device, const Model& model, const ParameterWords& changes) {
+    ParameterWords all = model.made.parameters;
+    all.insert(all.end(), changes.begin(), changes.end());  // the last of a name counts
+    return newBsdf(device, model.made.name, GP_DIALECT_OWN, all);
 }
 
 Model newModel(GpDevice device, const ModelOptions& options) {

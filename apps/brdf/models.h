@@ -31,10 +31,14 @@ struct ModelOptions {
 
 struct Model {
     std::string label;  // as it was written
+    ModelWord made;     // with the common parameters that it took
     Bsdf bsdf;
     nlohmann::ordered_json description;
     bool transmissive = false;  // with these parameters
 };
+
+// The same with other values of some parameters. Throws RunError.
+Bsdf variantOf(GpDevice device, const Model& model, const ParameterWords& changes);
 
 // Adds MODEL... and --set.
 void addModelOptions(CLI::App& app, ModelOptions& options);

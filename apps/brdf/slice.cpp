@@ -82,12 +82,6 @@ bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Rgb8 encoded(const glm::vec3& srgb) {
-    const glm::vec3 v = glm::clamp(srgb, 0.0f, 1.0f) * 255.0f + 0.5f;
-    return {static_cast<unsigned char>(v.x), static_cast<unsigned char>(v.y),
-            static_cast<unsigned char>(v.z)};
-}
-
 Rgb8 outside(std::size_t i, unsigned size) {
     const bool dark = ((i % size) / 8 + (i / size) / 8) % 2 == 0;
     return dark ? Rgb8{150, 150, 150} : Rgb8{190, 190, 190};
@@ -128,7 +122,7 @@ GridPicture slicePicture(const std::string& title, const std::vector<glm::vec3>&
             shown = largest > 0.0f ? values[i] / largest : glm::vec3(0.0f);
         }
         const glm::vec3 linear = glm::clamp(shown, 0.0f, 1.0f);
-        picture.pixels.push_back(encoded(metrics::srgbFromLinear(linear)));
+        picture.pixels.push_back(rgb8FromSrgb(metrics::srgbFromLinear(linear)));
     }
     return picture;
 }
@@ -157,7 +151,7 @@ void addDifference(PictureGrid& sheet, const std::vector<std::vector<glm::vec3>>
     for (std::size_t i = 0; i < grid.count(); ++i) {
         const double d = differences[i];
         picture.pixels.push_back(!grid.valid(i)      ? outside(i, settings.size)
-                                 : std::isfinite(d) ? encoded(diverging(d / range))
+                                 : std::isfinite(d) ? rgb8FromSrgb(diverging(d / range))
                                                     : kNotFinite);
     }
     sheet.pictures.push_back(std::move(picture));
@@ -166,7 +160,7 @@ void addDifference(PictureGrid& sheet, const std::vector<std::vector<glm::vec3>>
     bar.minimum = -range;
     bar.maximum = range;
     for (int i = 0; i < 255; ++i) {
-        bar.colors.push_back(encoded(diverging(i / 127.0 - 1.0)));
+        bar.colors.push_back(rgb8FromSrgb(diverging(i / 127.0 - 1.0)));
     }
     sheet.bar = bar;
 }
