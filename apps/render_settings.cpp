@@ -84,7 +84,8 @@ void addLightOptions(CLI::App& app, RenderSettings& s) {
 
 void addCameraOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Camera";
-    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each of a sheet)",
+    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each "
+            "of a sheet)",
             [&s](const std::string& word) {
                 s.size = parseSize("--size", word);
                 s.sizeGiven = true;

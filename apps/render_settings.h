@@ -65,7 +65,8 @@ void addRenderOptions(CLI::App& app, RenderSettings& settings);
 // By the ending of the name; throws UsageError.
 PictureFormat pictureFormat(const std::string& path);
 
-// What no single option can know by itself; throws UsageError. `app` is the one of addRenderOptions.
+// What no single option can know by itself; throws UsageError. `app` is that of
+// addRenderOptions.
 void checkSettings(const CLI::App& app, const RenderSettings& settings);
 
 }  // namespace gp::tool
