@@ -34,6 +34,14 @@ CLI::Option* addWord(CLI::App& app, const std::string& names, const std::string&
     return app.add_option_function<std::string>(names, accept, wrapped(help))->type_name(typeName);
 }
 
+CLI::Option* addWords(CLI::App& app, const std::string& name, const std::string& typeName,
+                      const std::string& help, std::vector<std::string>& words) {
+    return app.add_option(name, words, wrapped(help))
+        ->type_name(typeName)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 std::string nearestOption(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     for (const CLI::Option* option : app.get_options()) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace gp::tool {
 
@@ -22,6 +23,9 @@ Command addBrdfCommand(CLI::App& tool);
 // An option with one word as its value, given to `accept`.
 CLI::Option* addWord(CLI::App& app, const std::string& names, const std::string& typeName,
                      const std::string& help, std::function<void(const std::string&)> accept);
+// One that may be repeated: a word each time.
+CLI::Option* addWords(CLI::App& app, const std::string& name, const std::string& typeName,
+                      const std::string& help, std::vector<std::string>& words);
 
 // The option or subcommand that a mistyped word comes closest to; empty where none is close.
 std::string nearestOption(const CLI::App& app, const std::string& word);

@@ -64,6 +64,12 @@ Json describeModels(GpDevice device) {
     });
 }
 
+Json describePresets(GpDevice device, const std::string& path) {
+    return readDescription(device, [&](char* text, std::size_t size, std::size_t* needed) {
+        return gpDescribePresets(device, path.empty() ? nullptr : path.c_str(), text, size, needed);
+    });
+}
+
 Json describeBsdf(GpDevice device, const Bsdf& bsdf) {
     return readDescription(device, [&](char* text, std::size_t size, std::size_t* needed) {
         return gpDescribeBsdf(bsdf.get(), text, size, needed);

@@ -26,6 +26,8 @@ Bsdf newBsdf(GpDevice device, const std::string& model, GpBsdfDialect dialect,
 // A device that renders nothing: models need none.
 Device newModelDevice();
 nlohmann::ordered_json describeModels(GpDevice device);
+// Of a TOML file; path empty: the library's.
+nlohmann::ordered_json describePresets(GpDevice device, const std::string& path);
 nlohmann::ordered_json describeBsdf(GpDevice device, const Bsdf& bsdf);
 
 // wi to the light, wo to the viewer, of any length but 0. Throws RunError.

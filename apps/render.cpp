@@ -1,14 +1,14 @@
 // glitterpath render: from a scene file to a picture.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <vector>
 
 #include "commands.h"
 #include "exposure.h"
 #include "interrupt.h"
+#include "lighting_sheet.h"
 #include "output.h"
-#include "progress_bar.h"
+#include "render_frame.h"
 #include "render_report.h"
 #include "render_settings.h"
 #include "scene_setup.h"
@@ -23,45 +23,15 @@ constexpr const char* kExamples =
     "  glitterpath render helmet.glb -o helmet.png --env studio.hdr --noise 0.02\n"
     "  glitterpath render room.glb -o room.exr --size 1920x1080 --spp 1024 --aov albedo,normal\n"
     "  glitterpath render ship.glb -o ship.png --sun 120,25,0 --from 8,3,10 --fov 35\n"
-    "  glitterpath render box.glb -o box.png --time-limit 30 --json - --quiet";
-
-// Messages for people go to stderr, so that stdout is free for --json -.
-void say(const RenderSettings& settings, const std::string& text) {
-    if (!settings.quiet) {
-        fmt::print(stderr, "glitterpath: {}\n", text);
-    }
-}
-
-int onProgress(void* user, const GpProgress* progress) {
-    static_cast<ProgressBar*>(user)->show(*progress);
-    // The signal may have come just before the render began.
-    return interrupted() ? 1 : 0;
-}
-
-// Returns false when it was cancelled.
-bool trace(GpDevice device, GpFrame frame, GpScene scene, const GpCameraDesc& camera,
-           const RenderSettings& settings) {
-    ProgressBar bar(stderrIsTerminal() && !settings.quiet);
-    GpRenderOptions options = settings.options;
-    options.exposureEv = static_cast<float>(settings.exposureEv.value_or(0.0));
-    options.progress = &onProgress;
-    options.progressUser = &bar;
-    const GpError error = gpRender(frame, scene, &camera, &options);
-    if (error == GP_ERROR_CANCELLED) {
-        gpGetError(device, nullptr);  // it is no failure, so nobody shall find it later
-        return false;
-    }
-    bar.clear();
-    check(device, error);
-    return true;
-}
+    "  glitterpath render cup.glb -o cup.png --material gold --material handle=leather:sheen=0.4\n"
+    "  glitterpath render box.glb -o box.png --time-limit 30 --json - --quiet\n"
+    "  glitterpath render ship.glb -o ship.png --mode local --lighting ward:alpha_x=0.3\n"
+    "  glitterpath render ship.glb -o sheet.png --mode local --lighting all";
 
 double exposeAutomatically(GpDevice device, GpFrame frame, const RenderSettings& settings) {
-    const std::size_t count = static_cast<std::size_t>(settings.size.width) * settings.size.height;
-    std::vector<float> pixels(4 * count);
-    check(device, gpReadFrameImage(frame, GP_IMAGE_COLOR, pixels.data(),
-                                   pixels.size() * sizeof(float)));
-    const double ev = automaticExposureEv(pixels.data(), count);
+    std::vector<float> pixels;
+    appendColor(device, frame, settings, pixels);
+    const double ev = automaticExposureEv(pixels.data(), pixels.size() / 4);
     check(device, gpTonemapFrame(frame, static_cast<float>(ev), settings.options.tonemap));
     return ev;
 }
@@ -86,22 +56,25 @@ int saveResults(GpDevice device, GpFrame frame, RenderReport& report,
     return report.interrupted ? kExitInterrupted : kExitSuccess;
 }
 
-int runRender(RenderSettings& settings) {
-    checkSettings(settings);
+void prepare(const CLI::App& app, RenderSettings& settings) {
+    const bool sheet = isSheet(settings.local);
+    if (sheet) {
+        checkSheet(settings);
+    }
+    checkSettings(app, settings);
+    if (sheet && !settings.sizeGiven) {
+        settings.size = {320, 180};
+    }
     checkWritable(settings.outputPath);
     if (!settings.jsonPath.empty()) {
         checkWritable(settings.jsonPath);
     }
     settings.device.instructionSet =
         settings.instructionSet.empty() ? nullptr : settings.instructionSet.c_str();
-    const Device device = newDevice(settings.device);
-    const InterruptGuard guard(device.get());
-    SceneSetup setup = setUpScene(device.get(), settings);
-    const GpCameraDesc camera =
-        setUpCamera(device.get(), setup.scene.get(), settings, setup.notes);
-    for (const std::string& note : setup.notes) {
-        say(settings, note);
-    }
+}
+
+int renderPicture(GpDevice device, const SceneSetup& setup, const GpCameraDesc& camera,
+                  const RenderSettings& settings, const Lighting& lighting) {
     if (pictureFormat(settings.outputPath) != PictureFormat::png &&
         (settings.exposureGiven || settings.tonemapGiven)) {
         say(settings, ".exr and .hdr hold radiance: --exposure and --tonemap change nothing");
@@ -109,31 +82,48 @@ int runRender(RenderSettings& settings) {
     if (interrupted()) {
         return nothingSaved(settings);
     }
-    GpFrameDesc desc{};
-    desc.width = settings.size.width;
-    desc.height = settings.size.height;
-    const Frame frame = newFrame(device.get(), desc);
+    const Frame frame = newFrameFor(device, settings);
     RenderReport report;
     report.secondsLoad = setup.secondsLoad;
-    report.device = gpGetDeviceName(device.get());
-    report.interrupted = !trace(device.get(), frame.get(), setup.scene.get(), camera, settings);
-    check(device.get(), gpGetFrameStatistics(frame.get(), &report.statistics));
+    report.device = gpGetDeviceName(device);
+    report.lighting = lighting;
+    report.interrupted =
+        !trace(device, frame.get(), setup.scene.get(), camera, settings, lighting.local);
+    check(device, gpGetFrameStatistics(frame.get(), &report.statistics));
     if (report.interrupted && report.statistics.samplesPerPixel == 0) {
         return nothingSaved(settings);
     }
-    return saveResults(device.get(), frame.get(), report, settings);
+    return saveResults(device, frame.get(), report, settings);
+}
+
+int runRender(const CLI::App& app, RenderSettings& settings) {
+    prepare(app, settings);
+    const Device device = newDevice(settings.device);
+    const InterruptGuard guard(device.get());
+    const std::vector<Model> models = lightingModels(device.get(), settings.local);
+    SceneSetup setup = setUpScene(device.get(), settings);
+    const GpCameraDesc camera =
+        setUpCamera(device.get(), setup.scene.get(), settings, setup.notes);
+    for (const std::string& note : setup.notes) {
+        say(settings, note);
+    }
+    const std::vector<Lighting> lightings = lightingsOf(settings.local, models);
+    if (isSheet(settings.local)) {
+        return renderSheet(device.get(), setup.scene.get(), camera, settings, lightings);
+    }
+    return renderPicture(device.get(), setup, camera, settings, lightings.front());
 }
 
 }  // namespace
 
 Command addRenderCommand(CLI::App& tool) {
-    CLI::App* app = tool.add_subcommand("render", "Path-trace a scene into a picture");
+    CLI::App* app = tool.add_subcommand("render", "Render a scene into a picture");
     const auto settings = std::make_shared<RenderSettings>();
     addRenderOptions(*app, *settings);
     app->footer(std::string(kExposureRule) +
                 "\n\nCtrl-C ends the render and saves what there is; a second one kills.\n\n" +
                 kExamples);
-    return {app, [settings] { return runRender(*settings); }};
+    return {app, [app, settings] { return runRender(*app, *settings); }};
 }
 
 }  // namespace gp::tool

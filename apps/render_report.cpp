@@ -39,7 +39,15 @@ Json reportJson(const RenderReport& report, const RenderSettings& settings) {
     json["width"] = settings.size.width;
     json["height"] = settings.size.height;
     json["spp"] = s.samplesPerPixel;
-    json["bounces"] = settings.bounces;
+    const bool local = settings.local.mode == GP_MODE_LOCAL;
+    json["mode"] = local ? "local" : "reference";
+    if (local) {
+        json["lighting"] = report.lighting.model.empty() ? Json(nullptr)
+                                                         : Json(report.lighting.model);
+        json["frequency"] = report.lighting.frequency;
+    } else {
+        json["bounces"] = settings.bounces;
+    }
     json["seed"] = settings.options.seed;
     json["seconds"] = {{"load", report.secondsLoad},
                        {"build", s.secondsBuild},

@@ -15,6 +15,7 @@ struct RenderReport {
     double secondsLoad = 0;
     std::optional<double> exposureEv;  // none: the file is not display-referred
     std::string device;
+    Lighting lighting;
     bool interrupted = false;
 };
 

@@ -84,8 +84,12 @@ void addLightOptions(CLI::App& app, RenderSettings& s) {
 
 void addCameraOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Camera";
-    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720)",
-            [&s](const std::string& word) { s.size = parseSize("--size", word); })->group(group);
+    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each "
+            "of a sheet)",
+            [&s](const std::string& word) {
+                s.size = parseSize("--size", word);
+                s.sizeGiven = true;
+            })->group(group);
     addWord(app, "--camera", "NAME|INDEX",
             "One of the file's cameras, counted from 0 (default: the first; none in the file: one "
             "that shows the whole scene)",
@@ -213,9 +217,17 @@ void addRenderOptions(CLI::App& app, RenderSettings& s) {
     addWord(app, "-o,--output", "OUT", "The picture: .png, .exr or .hdr",
             [&s](const std::string& word) { s.outputPath = word; })->required();
     addSceneChoice(app, s.load);
+    app.add_option("--material", s.materials,
+                   "Replace materials of the file, NAME or all, by a model, a preset or a measured "
+                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
+        ->type_name("[NAME=]MODEL[:K=V,...]")
+        ->group("Content of the file")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     addCameraOptions(app, s);
     addLightOptions(app, s);
     addQualityOptions(app, s);
+    addLocalOptions(app, s.local);
     addPictureOptions(app, s);
     addMachineOptions(app, s);
 }
@@ -237,7 +249,11 @@ PictureFormat pictureFormat(const std::string& path) {
     throw UsageError(fmt::format("--output: '{}' does not end in .png, .exr or .hdr", path));
 }
 
-void checkSettings(const RenderSettings& s) {
+void checkSettings(const CLI::App& app, const RenderSettings& s) {
+    checkMode(app, s.local);
+    if (!s.local.models.words.empty() && s.options.shading == GP_SHADING_DIFFUSE) {
+        throw UsageError("--lighting: not together with --shading diffuse");
+    }
     const PictureFormat format = pictureFormat(s.outputPath);
     if (s.save.layers != 0 && format != PictureFormat::exr) {
         throw UsageError("--aov: only .exr files have layers");

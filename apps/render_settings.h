@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "library.h"
+#include "local_settings.h"
 #include "parse.h"
 
 namespace CLI {
@@ -26,8 +28,9 @@ struct SunSettings {
 struct RenderSettings {
     std::string scenePath, outputPath, jsonPath;
     GpLoadOptions load{};
+    std::vector<std::string> materials;  // --material, as written
     Size size{1280, 720};
-    bool quiet = false;
+    bool sizeGiven = false, quiet = false;
 
     // light
     std::string environmentPath;
@@ -44,6 +47,9 @@ struct RenderSettings {
     GpRenderOptions options{};
     std::uint32_t bounces = 16;
 
+    // --mode local, and what belongs to it
+    LocalSettings local;
+
     // the picture
     std::optional<double> exposureEv;  // none: automatic
     bool exposureGiven = false, tonemapGiven = false;
@@ -59,7 +65,8 @@ void addRenderOptions(CLI::App& app, RenderSettings& settings);
 // By the ending of the name; throws UsageError.
 PictureFormat pictureFormat(const std::string& path);
 
-// What no single option can know by itself; throws UsageError.
-void checkSettings(const RenderSettings& settings);
+// What no single option can know by itself; throws UsageError. `app` is that of
+// addRenderOptions.
+void checkSettings(const CLI::App& app, const RenderSettings& settings);
 
 }  // namespace gp::tool

@@ -1,5 +1,5 @@
-// Two directions by their half vector and by how far the light is from it, in which measurements and
-// plots are made. In double, for tables; shading/measured/half_angles.glsl is the way back.
+// Two directions by their half vector and by how far the light is from it, in which measurements
+// and plots are made. In double, for tables; shading/measured/half_angles.glsl is the way back.
 #pragma once
 
 #include <cmath>

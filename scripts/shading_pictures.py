@@ -5,10 +5,13 @@ import subprocess
 import shading_book
 
 MOST_BYTES = 25000
+# What each kind is drawn with; the command's own light and exposure show every model.
+OPTIONS = {"sphere": ["--size", "160"], "slice": ["--size", "160", "--square-theta-h"]}
 
 
-def draw_one(command, path):
-    done = subprocess.run([*command, "-o", path], capture_output=True, text=True, check=False)
+def draw_one(tool, kind, name, path):
+    done = subprocess.run([tool, "brdf", kind, name, *OPTIONS[kind], "-o", path],
+                          capture_output=True, text=True, check=False)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines() or ["no message"]
         raise shading_book.BookFault(f"{os.path.basename(path)}: {lines[-1]} (--no-pictures "
@@ -18,11 +21,12 @@ def draw_one(command, path):
                                      f"more than {MOST_BYTES}")
 
 
-def draw(tool, root, models):
+def draw(tool, root, models, kinds):
+    """Of all models but those that are made from files, which nobody has here."""
     folder = os.path.join(root, shading_book.PICTURES)
     os.makedirs(folder, exist_ok=True)
     for model in models:
-        name = model["name"]
-        draw_one([tool, "brdf", "sphere", name, "--size", "256"],
-                 os.path.join(folder, f"{name}-sphere.png"))
-        draw_one([tool, "brdf", "slice", name], os.path.join(folder, f"{name}-slice.png"))
+        if not model.get("fromFile"):
+            for kind in kinds:
+                path = os.path.join(folder, f"{model['name']}-{kind}.png")
+                draw_one(tool, kind, model["name"], path)

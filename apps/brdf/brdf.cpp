@@ -36,8 +36,9 @@ Command addBrdfCommand(CLI::App& tool) {
     CLI::App* app = tool.add_subcommand("brdf", "Look at reflectance models");
     app->footer(kExamples);
     const std::vector<Command> commands = {
-        addBrdfList(*app),  addBrdfEval(*app),   addBrdfPlot(*app),  addBrdfSlice(*app),
-        addBrdfCheck(*app), addBrdfSphere(*app), addBrdfSweep(*app), addBrdfExport(*app)};
+        addBrdfList(*app),   addBrdfPresets(*app), addBrdfEval(*app),
+        addBrdfPlot(*app),   addBrdfSlice(*app),   addBrdfCheck(*app),
+        addBrdfSphere(*app), addBrdfSweep(*app),   addBrdfExport(*app)};
     return {app, [commands] {
                 for (const Command& command : commands) {
                     if (command.app->parsed()) {

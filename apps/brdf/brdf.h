@@ -6,6 +6,7 @@
 namespace gp::tool {
 
 Command addBrdfList(CLI::App& brdf);
+Command addBrdfPresets(CLI::App& brdf);
 Command addBrdfEval(CLI::App& brdf);
 Command addBrdfPlot(CLI::App& brdf);
 Command addBrdfSlice(CLI::App& brdf);

@@ -62,7 +62,11 @@ Model make(GpDevice device, const std::string& word, GpBsdfDialect dialect,
             model.description = describeBsdf(device, model.bsdf);
         }
     } catch (const RunError& error) {
-        throw UsageError(error.what());
+        const std::string line = error.what();
+        if (line.starts_with(own.name + ": ") && own.name.ends_with(".binary")) {
+            throw;  // a measured file is bad: not the command line's fault
+        }
+        throw UsageError(line);
     }
     model.transmissive = transmits(device, model.bsdf);
     for (const Json& notice : model.description.at("notices")) {

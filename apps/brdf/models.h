@@ -43,7 +43,8 @@ Bsdf variantOf(GpDevice device, const Model& model, const ParameterWords& change
 // Adds MODEL... and --set.
 void addModelOptions(CLI::App& app, ModelOptions& options);
 
-// Notes on stderr say what was clamped. Throws UsageError: all of it stands on the command line.
+// Notes on stderr say what was clamped. Throws UsageError, since all of it stands on
+// the command line; RunError where a measured file is bad.
 std::vector<Model> newModels(GpDevice device, const ModelOptions& options);
 // For commands that take exactly one.
 Model newModel(GpDevice device, const ModelOptions& options);

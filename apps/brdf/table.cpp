@@ -108,10 +108,7 @@ public:
     }
 
     std::string line(const CsvRow& row) {
-        const std::string& model = row.fields[m_columns.model];
-        const Bsdf bsdf = newBsdf(m_device.get(), model, m_settings.dialect,
-                                  wordsOf(row.fields[m_columns.params]));
-        noteClamping(row, bsdf);
+        const Bsdf& bsdf = bsdfOf(row);
         const GpBsdfValue value = evaluate(m_device.get(), bsdf,
                                            directionOf(m_table, row, m_columns.l),
                                            directionOf(m_table, row, m_columns.v));
@@ -134,6 +131,20 @@ public:
     }
 
 private:
+    // Rows of one model mostly follow each other, and a measured one is a large file.
+    const Bsdf& bsdfOf(const CsvRow& row) {
+        const std::string& model = row.fields[m_columns.model];
+        const std::string& params = row.fields[m_columns.params];
+        if (!m_bsdf || model != m_model || params != m_params) {
+            m_bsdf.reset();
+            m_bsdf = newBsdf(m_device.get(), model, m_settings.dialect, wordsOf(params));
+            m_model = model;
+            m_params = params;
+            noteClamping(row, m_bsdf);
+        }
+        return m_bsdf;
+    }
+
     void noteClamping(const CsvRow& row, const Bsdf& bsdf) {
         for (const Json& notice : describeBsdf(m_device.get(), bsdf).at("notices")) {
             m_notices.try_emplace(notice.get<std::string>(), row.line);
@@ -144,6 +155,8 @@ private:
     const CsvTable& m_table;
     Columns m_columns;
     Device m_device;
+    Bsdf m_bsdf;  // of the row before, made of these
+    std::string m_model, m_params;
     std::map<std::string, std::size_t> m_notices;
 };
 

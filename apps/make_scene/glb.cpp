@@ -110,6 +110,8 @@ int GlbBuilder::addMesh(const std::string& name, const Mesh& mesh, int material)
     json attributes = {{"POSITION", addVectors(&mesh.positions[0].x, count, 3, true)},
                        {"NORMAL", addVectors(&mesh.normals[0].x, count, 3, true)},
                        {"TEXCOORD_0", addVectors(&mesh.uvs[0].x, count, 2, true)}};
+    if (!mesh.tangents.empty())
+        attributes["TANGENT"] = addVectors(&mesh.tangents[0].x, count, 4, true);
     const bool narrow = count < 65536;
     int view = 0;
     if (narrow) {
@@ -195,6 +197,21 @@ void GlbBuilder::addCamera(const Camera& camera)
                  {"camera", lastIndex(m_gltf["cameras"])},
                  {"matrix", {x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0,
                              p.x, p.y, p.z, 1}}});
+}
+
+void GlbBuilder::addPointLight(const std::string& name, glm::vec3 position, glm::vec3 color,
+                               float wattsPerSteradian)
+{
+    constexpr float lumenPerWatt = 683.0f;  // glTF counts in candela
+    use("KHR_lights_punctual");
+    json& lights = m_gltf["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back({{"name", name},
+                      {"type", "point"},
+                      {"color", {color.x, color.y, color.z}},
+                      {"intensity", wattsPerSteradian * lumenPerWatt}});
+    addRootNode({{"name", name},
+                 {"translation", {position.x, position.y, position.z}},
+                 {"extensions", {{"KHR_lights_punctual", {{"light", lastIndex(lights)}}}}}});
 }
 
 void GlbBuilder::write(const std::string& path)

@@ -76,6 +76,8 @@ public:
     // Mesh and node of one name, in place.
     void add(const std::string& name, const Mesh& mesh, int material);
     void addCamera(const Camera& camera);
+    void addPointLight(const std::string& name, glm::vec3 position, glm::vec3 color,
+                       float wattsPerSteradian);
 
     // Writes beside the target first and renames: a reader never sees half a file.
     void write(const std::string& path);

@@ -39,6 +39,10 @@ std::vector<SceneDefinition> sceneTable()
            {"emission", "emitted radiance, W/(m^2 sr)", 0.5, 0.001, 10000, false},
            {"subdivisions", "facets along a cube edge (12 n^2 triangles)", 32, 2, 512, true}}},
          buildClosedSphere},
+        {{"three-objects",
+          "a pleated bulb and two spheres under a violet and a red lamp, for lighting models",
+          "--mode local --lighting phong --ambient 0.05,0.05,0.05", {}},
+         buildThreeObjects},
     };
 }
 

@@ -7,6 +7,15 @@
 #include <tuple>
 
 namespace gp::make_scene {
+namespace {
+
+glm::vec3 perpendicular(glm::vec3 unit)
+{
+    const glm::vec3 other = std::abs(unit.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+    return glm::normalize(glm::cross(other, unit));
+}
+
+}  // namespace
 
 std::uint32_t Mesh::addVertex(glm::vec3 position, glm::vec3 normal, glm::vec2 uv)
 {
@@ -99,6 +108,31 @@ void Mesh::computeSmoothNormals()
     }
 }
 
+void Mesh::computeTangents()
+{
+    std::vector<glm::vec3> sums(positions.size(), glm::vec3(0.0f));
+    std::vector<float> sides(positions.size(), 1.0f);
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const std::uint32_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
+        const glm::vec2 d1 = uvs[b] - uvs[a], d2 = uvs[c] - uvs[a];
+        const float side = d1.x * d2.y - d1.y * d2.x < 0.0f ? -1.0f : 1.0f;
+        const glm::vec3 along = (positions[b] - positions[a]) * d2.y -
+                                (positions[c] - positions[a]) * d1.y;
+        for (const std::uint32_t corner : {a, b, c}) {
+            sums[corner] += along * side;
+            sides[corner] = side;
+        }
+    }
+    tangents.clear();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::vec3 n = normals[i], t = sums[i] - n * glm::dot(n, sums[i]);
+        const float length = glm::length(t);
+        // Where nothing grows along u, any direction in the surface will do. In glTF the bitangent
+        // points up, against v.
+        tangents.emplace_back(length > 1e-12f ? t / length : perpendicular(n), -sides[i]);
+    }
+}
+
 void Mesh::makeFlat()
 {
     Mesh flat;
@@ -144,8 +178,7 @@ glm::mat4 rotationZ(float angle)
 glm::mat4 rotationFromY(glm::vec3 axis)
 {
     const glm::vec3 y = glm::normalize(axis);
-    const glm::vec3 helper = std::abs(y.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
-    const glm::vec3 z = glm::normalize(glm::cross(helper, y));
+    const glm::vec3 z = perpendicular(y);
     const glm::vec3 x = glm::cross(y, z);
     return glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(z, 0), glm::vec4(0, 0, 0, 1));
 }

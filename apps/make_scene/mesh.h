@@ -12,6 +12,7 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
+    std::vector<glm::vec4> tangents;  // as glTF has them; most meshes need none
     std::vector<std::uint32_t> indices;
 
     std::uint32_t addVertex(glm::vec3 position, glm::vec3 normal, glm::vec2 uv);
@@ -28,6 +29,8 @@ struct Mesh {
     void flip();  // inside out
     // Vertices at one place share the mean of the normals of all triangles that meet there.
     void computeSmoothNormals();
+    // Along u, for everything that has a direction. To be called last: nothing else keeps them.
+    void computeTangents();
     void makeFlat();  // three vertices of its own for every triangle, with its geometric normal
     // Drops what no triangle uses.
     void removeUnusedVertices();

@@ -25,5 +25,6 @@ void buildFurnace(GlbBuilder& glb, const Parameters& parameters);
 void buildCornell(GlbBuilder& glb, const Parameters& parameters);
 void buildStress(GlbBuilder& glb, const Parameters& parameters);
 void buildClosedSphere(GlbBuilder& glb, const Parameters& parameters);
+void buildThreeObjects(GlbBuilder& glb, const Parameters& parameters);
 
 }  // namespace gp::make_scene

@@ -195,7 +195,8 @@ public:
 class Frame : public Owner<GpFrame, gpReleaseFrame> {
 public:
     Frame() = default;
-    Frame(const Device& d, uint32_t width, uint32_t height) : Frame(d, descOf(width, height)) {}
+    Frame(const Device& d, uint32_t width, uint32_t height, GpFrameMode mode = GP_MODE_REFERENCE)
+        : Frame(d, descOf(width, height, mode)) {}
     Frame(const Device& d, const GpFrameDesc& desc)
         : Owner(detail::checked(gpNewFrame(d.get(), &desc), d.get()), d.get()),
           pixels_(size_t(desc.width) * desc.height) {}
@@ -226,8 +227,9 @@ public:
     }
 
 private:
-    static GpFrameDesc descOf(uint32_t width, uint32_t height) {
+    static GpFrameDesc descOf(uint32_t width, uint32_t height, GpFrameMode mode) {
         GpFrameDesc desc{};
+        desc.mode = mode;
         desc.width = width;
         desc.height = height;
         return desc;

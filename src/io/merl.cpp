@@ -4,6 +4,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -42,6 +44,14 @@ std::string describeNumber(size_t cell, size_t channel) {
     return fmt::format("{} of the cell theta_h {}, theta_d {}, phi_d {}", names[channel], h, d, p);
 }
 
+// A file that is held somewhere is not read again: the same material in many places is one table.
+struct SharedTable {
+    fs::file_time_type written;
+    std::weak_ptr<const MeasuredBrdf> brdf;
+};
+std::mutex sharedMutex;
+std::map<std::string, SharedTable> sharedTables;
+
 }  // namespace
 
 bool isMerlName(std::string_view name) { return name.ends_with(".binary"); }
@@ -68,7 +78,7 @@ std::shared_ptr<const MeasuredBrdf> parseMerl(const std::string& path,
     return makeMeasuredBrdf(path, std::move(cells));
 }
 
-std::shared_ptr<const MeasuredBrdf> readMerl(const std::string& path) {
+static std::shared_ptr<const MeasuredBrdf> readMerlAnew(const std::string& path) {
     std::error_code error;
     const uintmax_t size = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
     if (!error && size > merl::fileBytes) {  // whatever it is, it need not be read
@@ -78,6 +88,21 @@ std::shared_ptr<const MeasuredBrdf> readMerl(const std::string& path) {
         checkHead(path, head, size);
     }
     return parseMerl(path, readFile(path));
+}
+
+std::shared_ptr<const MeasuredBrdf> readMerl(const std::string& path) {
+    std::error_code error;
+    const fs::file_time_type written = fs::last_write_time(path, error);
+    // Held while reading too: who wants the same file at the same time waits for it.
+    const std::lock_guard lock(sharedMutex);
+    if (const auto found = sharedTables.find(path); found != sharedTables.end()) {
+        const auto known = found->second.brdf.lock();
+        if (known && !error && found->second.written == written) return known;
+        sharedTables.erase(found);
+    }
+    const auto brdf = readMerlAnew(path);
+    sharedTables[path] = {written, brdf};
+    return brdf;
 }
 
 void writeMerl(const std::string& path, std::span<const float> cells) {

@@ -16,7 +16,7 @@ namespace gp::io {
 bool isMerlName(std::string_view name);
 
 // Throws FileError: no file, another size, other dimensions, a number that is none, nothing
-// measured.
+// measured. While somebody has the table of an unchanged file, readMerl gives out the same.
 std::shared_ptr<const MeasuredBrdf> readMerl(const std::string& path);
 std::shared_ptr<const MeasuredBrdf> parseMerl(const std::string& path,
                                               std::span<const std::byte> bytes);

@@ -65,23 +65,6 @@ MaterialRecord local_material(IN(MaterialRecord) m) {
     return shown;
 }
 
-// Its tangent along u, as textures lie: meshes have tangents only where their own materials ask for
-// them, but the model that replaces these may have a direction.
-Frame frame_along_u(IN(Surface) s, IN(Hit) hit) {
-    LET_REF(InstanceRecord) instance = load_instance(hit.instance);
-    TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
-    vec2 d1 = c.uv1 - c.uv0;
-    vec2 d2 = c.uv2 - c.uv0;
-    vec3 e1 = transform_vector(instance, c.p1 - c.p0);
-    vec3 e2 = transform_vector(instance, c.p2 - c.p0);
-    // Of the two gradients only the directions count, so the determinant's sign is enough.
-    float side = d1.x * d2.y - d1.y * d2.x < 0.0f ? -1.0f : 1.0f;
-    vec3 t = (e1 * d2.y - e2 * d1.y) * side;
-    vec3 b = (e2 * d1.x - e1 * d2.x) * side;
-    return frame_from_normal_tangent(s.frame.n, t,
-                                     dot(cross(s.frame.n, t), b) < 0.0f ? -1.0f : 1.0f);
-}
-
 // The point of the triangle that path.hit names with the barycentrics u and v. Where pixels do not
 // count, textures are read at their finest level, which is the same for all pixels.
 LocalPoint local_point(IN(PathState) path, IN(MaterialRecord) m, float u, float v, float u_lod) {
@@ -92,13 +75,12 @@ LocalPoint local_point(IN(PathState) path, IN(MaterialRecord) m, float u, float 
     Hit hit = path.hit;
     hit.u = u;
     hit.v = v;
-    uint needs = surface_needs(m, diffuse) | (replaced ? SURFACE_UV : 0u);
+    // The model that replaces a material may have a direction.
+    uint needs = surface_needs(m, diffuse) | (replaced ? SURFACE_UV | SURFACE_TANGENT : 0u);
     Surface s = load_surface(hit, path.ray.direction, path.cone, needs);
     if (local.frequency != FREQUENCY_PIXEL) { s.lod = FINEST_LEVEL; }
-    if (replaced && (needs & SURFACE_TANGENT) == 0u) { s.frame = frame_along_u(s, hit); }
     if (local.frequency == FREQUENCY_TRIANGLE) {
-        s.frame = frame_from_normal_tangent(s.ng, s.frame.t,
-                                            dot(cross(s.frame.n, s.frame.t), s.frame.b));
+        s.frame = frame_from_normal_tangent(s.ng, s.frame.t, frame_handedness(s.frame));
     }
     LocalPoint at;
     at.position = s.position;
@@ -109,7 +91,7 @@ LocalPoint local_point(IN(PathState) path, IN(MaterialRecord) m, float u, float 
 }
 
 // The model in a material's place. What the material says of its colour, textures included, tints
-// the model's.
+// the model's; what bsdf_prepared derives does not depend on colours.
 BsdfParams lighting_model(vec3 base_color) {
     BsdfParams model = load_lighting_model();
     model.base_color *= base_color;

@@ -144,9 +144,9 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
     for (size_t v = 0; v < count; ++v) {
         ShadingVertex& out = mesh.vertices[v];
         out.normalOct = shading::octahedral_encode(data.normals[v]);
-        out.tangentOct = packTangent(data.normals[v],
-                                     data.tangents.empty() ? glm::vec4(0, 0, 0, 1)
-                                                           : data.tangents[v]);
+        // 0: none; kernels/surface.glsl then takes one from the texture coordinates.
+        out.tangentOct =
+            data.tangents.empty() ? 0 : packTangent(data.normals[v], data.tangents[v]);
         out.uv = data.uv[0].empty() ? glm::vec2(0) : data.uv[0][v];
     }
     mesh.uv1 = std::move(data.uv[1]);

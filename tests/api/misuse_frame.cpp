@@ -75,7 +75,7 @@ Rows frameRows() {
         frameRow("too wide", GP_ERROR_TOO_LARGE, "width is 16385", 16385, 1),
         frameRow("too high", GP_ERROR_TOO_LARGE, "height", 1, UINT32_MAX),
         frameRow("real time", GP_ERROR_UNSUPPORTED, "real-time", 1, 1, GP_MODE_REALTIME),
-        frameRow("unknown mode", GP_ERROR_INVALID_ARGUMENT, "mode", 1, 1, anyEnum<GpFrameMode>(2)),
+        frameRow("unknown mode", GP_ERROR_INVALID_ARGUMENT, "mode", 1, 1, anyEnum<GpFrameMode>(3)),
         {"gpGetImageInfo", "unknown image", GP_ERROR_INVALID_ARGUMENT, "image is 11",
          [](World&) {
              GpImageInfo info;

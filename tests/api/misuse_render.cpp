@@ -19,6 +19,19 @@ Row optionRow(const char* what, GpError expected, const char* message,
             }};
 }
 
+// The same for a frame of GP_MODE_LOCAL.
+Row localRow(const char* what, GpError expected, const char* message,
+             void (*change)(World&, GpRenderOptions&)) {
+    return {"gpRender", what, expected, message, [change](World& w) {
+                GpFrameDesc desc{};
+                desc.width = desc.height = 2;
+                desc.mode = GP_MODE_LOCAL;
+                GpRenderOptions options = fewSamples();
+                change(w, options);
+                return gpRender(gpNewFrame(w.device, &desc), w.scene, nullptr, &options);
+            }};
+}
+
 Row cameraRow(const char* what, GpError expected, const char* message,
               void (*change)(GpCameraDesc&)) {
     return {"gpRender", what, expected, message, [change](World& w) {
@@ -66,6 +79,57 @@ void addOptionRows(Rows& rows) {
                   [](GpRenderOptions& o) { o.exposureEv = -200; }),
         optionRow("unknown tone map", GP_ERROR_INVALID_ARGUMENT, "options.tonemap",
                   [](GpRenderOptions& o) { o.tonemap = anyEnum<GpTonemap>(99); }),
+    };
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
+void addLocalRows(Rows& rows) {
+    const Rows more = {
+        optionRow("a falloff for the path tracer", GP_ERROR_INVALID_ARGUMENT,
+                  "options.local.falloff is only for frames of GP_MODE_LOCAL",
+                  [](GpRenderOptions& o) { o.local.falloff = GP_FALLOFF_NONE; }),
+        optionRow("a frequency for the path tracer", GP_ERROR_INVALID_ARGUMENT,
+                  "options.local.frequency is only for frames of GP_MODE_LOCAL",
+                  [](GpRenderOptions& o) { o.local.frequency = GP_FREQUENCY_VERTEX; }),
+        optionRow("ambient light for the path tracer", GP_ERROR_INVALID_ARGUMENT,
+                  "options.local.ambient is only for frames of GP_MODE_LOCAL",
+                  [](GpRenderOptions& o) { o.local.ambient[2] = 1; }),
+        {"gpRender", "a lighting model for the path tracer", GP_ERROR_INVALID_ARGUMENT,
+         "options.local.model is only for frames of GP_MODE_LOCAL",
+         [](World& w) {
+             GpRenderOptions options = fewSamples();
+             options.local.model = w.bsdf;
+             return gpRender(w.frame, w.scene, nullptr, &options);
+         }},
+        localRow("bounces of a local frame", GP_ERROR_INVALID_ARGUMENT,
+                 "options.maxBounces is only for frames of GP_MODE_REFERENCE",
+                 [](World&, GpRenderOptions& o) { o.maxBounces = 3; }),
+        localRow("clamp of a local frame", GP_ERROR_INVALID_ARGUMENT, "options.clamp is only",
+                 [](World&, GpRenderOptions& o) { o.clamp = 3; }),
+        localRow("roulette of a local frame", GP_ERROR_INVALID_ARGUMENT,
+                 "options.noRussianRoulette is only",
+                 [](World&, GpRenderOptions& o) { o.noRussianRoulette = 1; }),
+        localRow("unknown frequency", GP_ERROR_INVALID_ARGUMENT, "options.local.frequency is 3",
+                 [](World&, GpRenderOptions& o) {
+                     o.local.frequency = anyEnum<GpShadingFrequency>(3);
+                 }),
+        localRow("unknown falloff", GP_ERROR_INVALID_ARGUMENT, "options.local.falloff is 7",
+                 [](World&, GpRenderOptions& o) { o.local.falloff = anyEnum<GpFalloff>(7); }),
+        localRow("ambient below 0", GP_ERROR_OUT_OF_RANGE, "options.local.ambient[1] is -1",
+                 [](World&, GpRenderOptions& o) { o.local.ambient[1] = -1; }),
+        localRow("ambient is NaN", GP_ERROR_NOT_FINITE, "options.local.ambient[0]",
+                 [](World&, GpRenderOptions& o) { o.local.ambient[0] = nanf; }),
+        localRow("model was released", GP_ERROR_INVALID_HANDLE,
+                 "options.local.model was released",
+                 [](World& w, GpRenderOptions& o) { o.local.model = w.released.bsdf; }),
+        localRow("model of another device", GP_ERROR_INVALID_HANDLE,
+                 "options.local.model belongs to another device",
+                 [](World& w, GpRenderOptions& o) { o.local.model = w.foreign.bsdf; }),
+        localRow("two ways to replace materials", GP_ERROR_INVALID_ARGUMENT, "not both",
+                 [](World& w, GpRenderOptions& o) {
+                     o.local.model = w.bsdf;
+                     o.shading = GP_SHADING_DIFFUSE;
+                 }),
     };
     rows.insert(rows.end(), more.begin(), more.end());
 }
@@ -124,6 +188,7 @@ Rows renderRows() {
                       }),
     };
     addOptionRows(rows);
+    addLocalRows(rows);
     addCameraRows(rows);
     addHandleRows<GpFrame>(rows, "gpRender", "frame", [](World& w, GpFrame f) {
         return gpRender(f, w.scene, nullptr, nullptr);

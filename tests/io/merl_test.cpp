@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "io/bsdf_source.h"
 #include "io/load_helpers.h"
 #include "io/merl.h"
 #include "merl_format.h"
-#include "scene/bsdf_dialect.h"
 #include "scene/bsdf_evaluate.h"
 
 using namespace gp;
@@ -143,11 +143,27 @@ TEST(Merl, RefusesFilesThatAreNot) {
     std::filesystem::remove(path);
 }
 
+TEST(Merl, OneTableForAllThatHoldAFile) {
+    const std::string path = inTemp("shared.binary");
+    io::writeMerl(path, std::vector<float>(3 * merl::cellCount, 0.25f));
+    auto first = io::readMerl(path);
+    EXPECT_EQ(io::readMerl(path), first);
+    io::writeMerl(path, std::vector<float>(3 * merl::cellCount, 0.5f));
+    const auto changed = io::readMerl(path);
+    EXPECT_NE(changed, first);
+    EXPECT_EQ(changed->words[0], 0.5f);
+    const std::weak_ptr<const MeasuredBrdf> old = first;
+    first.reset();
+    EXPECT_TRUE(old.expired());
+    std::filesystem::remove(path);
+    EXPECT_THROW(io::readMerl(path), io::FileError);
+}
+
 TEST(Merl, SettingsKeepTheTable) {
     const std::string path = inTemp("kept.binary");
     io::writeMerl(path, std::vector<float>(3 * merl::cellCount, 0.25f));
     auto settings = std::make_unique<BsdfSettings>(
-        bsdfFromWords(BsdfDialect::own, path, {{"base_color", "0.5,1,0"}}));
+        io::bsdfFromName(BsdfDialect::own, path, {{"base_color", "0.5,1,0"}}));
     std::filesystem::remove(path);
     EXPECT_EQ(settings->model->name, "measured");
     const std::weak_ptr<const MeasuredBrdf> table = settings->measured;
@@ -165,7 +181,7 @@ TEST(Merl, SettingsKeepTheTable) {
 
 TEST(Merl, TheModelWantsAFile) {
     try {
-        bsdfFromWords(BsdfDialect::own, "measured", {});
+        io::bsdfFromName(BsdfDialect::own, "measured", {});
         FAIL() << "was made from nothing";
     } catch (const BsdfError& e) {
         EXPECT_EQ(std::string(e.what()), "measured: this model is made from a file, whose path is "

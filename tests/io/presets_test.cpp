@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "io/bsdf_source.h"
+#include "io/file_error.h"
 #include "scene/bsdf_evaluate.h"
 
 namespace gp::io {

@@ -148,6 +148,8 @@ ReadScene generate(const std::string& name, const std::map<std::string, double>&
         scene.materials.push_back(material.name);
         scene.emissionStrengths.push_back(emissionStrength(material));
     }
+    for (const tinygltf::Light& light : model.lights)
+        scene.lights.push_back(light.name + " " + light.type);
     scene.required = model.extensionsRequired;
     scene.nodes = model.nodes.size();
     scene.images = model.images.size();

@@ -21,7 +21,7 @@ struct ReadMesh {
 
 struct ReadScene {
     std::vector<ReadMesh> meshes;
-    std::vector<std::string> cameras, materials, required;
+    std::vector<std::string> cameras, lights, materials, required;
     std::vector<double> emissionStrengths;  // one a material, 0 where it does not emit
     std::size_t nodes = 0;
     std::size_t instancedTriangles = 0;  // over all nodes and instances

@@ -143,6 +143,11 @@ TEST(MakeSceneGeometry, SolidsOfTheCorridorAreClosed)
                               "door frame", "barrel", "barrel hoops", "crate"});
 }
 
+TEST(MakeSceneGeometry, TheThreeObjectsAreClosed)
+{
+    expectClosed("three-objects", {"pleated bulb", "low sphere", "high sphere"});
+}
+
 TEST(MakeSceneGeometry, TheGlassIsThickAndTheWaterIsInsideIt)
 {
     const ReadScene scene = testing::generate("still-life");

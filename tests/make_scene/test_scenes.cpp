@@ -89,6 +89,26 @@ TEST(MakeSceneContent, ClosedSphereEmitsWhatWasAsked)
                 1e-5);
 }
 
+TEST(MakeSceneContent, ThreeObjectsHaveOneMaterialAndTwoPointLights)
+{
+    const ReadScene scene = testing::generate("three-objects");
+    EXPECT_EQ(scene.lights, (std::vector<std::string>{"violet point", "red point"}));
+    EXPECT_EQ(scene.materials, std::vector<std::string>{"white"});
+    EXPECT_EQ(scene.cameras, std::vector<std::string>{"front"});
+    ASSERT_EQ(scene.meshes.size(), 3u);
+    const auto triangles = [&](std::size_t i) { return scene.meshes[i].indices.size() / 3; };
+    EXPECT_LT(triangles(1), 120u);   // the low sphere: its facets show
+    EXPECT_GT(triangles(2), 15000u);
+    // Folds that face each other: seen from the axis of a pleat, surfaces of both senses.
+    const testing::ReadMesh& bulb = scene.meshes[0];
+    std::size_t inwards = 0;
+    for (std::size_t i = 0; i < bulb.normals.size(); ++i) {
+        const glm::vec3 outwards(bulb.positions[i].x, 0, bulb.positions[i].z);
+        inwards += glm::dot(outwards, bulb.normals[i]) < 0.0f ? 1 : 0;
+    }
+    EXPECT_GT(inwards, bulb.normals.size() / 200);
+}
+
 TEST(MakeSceneContent, StressReachesItsCount)
 {
     const std::pair<double, double> cases[] = {{1e5, 100}, {1e6, 1000}, {1e7, 5000}};

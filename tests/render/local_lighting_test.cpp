@@ -1,5 +1,5 @@
-// GP_MODE_LOCAL: lamps over a plane against the light of points in closed form, every lighting
-// model against its own values, and what interpolation makes of them.
+// GP_MODE_LOCAL: lamps over a plane against the light of points in closed form, and every lighting
+// model against its own values.
 #include <cmath>
 #include <functional>
 
@@ -45,7 +45,7 @@ class LocalLightingTest : public ::testing::TestWithParam<Variant> {
 protected:
     LocalLightingTest() : stage(GetParam()) {}
 
-    // The floor y = 0; its tangent is +X, its bitangent -Z.
+    // The floor y = 0; its tangent is +X, its bitangent +Z.
     void floor(GpMaterial material) {
         Triangles plane;
         plane.quad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8});
@@ -192,8 +192,7 @@ TEST_P(LocalLightingTest, EveryModelIsItsOwnValueTimesTheLight) {
         const std::string tint = words[0] + "," + words[1] + "," + words[2];
         if (!parameters.empty() && std::string(parameters.back().name) == "base_color")
             parameters.back().value = tint.c_str();
-        const glm::vec3 wi(toLight.x, -toLight.z, toLight.y),
-            wo(toViewer.x, -toViewer.z, toViewer.y);
+        const glm::vec3 wi(toLight.x, toLight.z, toLight.y), wo(toViewer.x, toViewer.z, toViewer.y);
         GpBsdfValue value{};
         stage.check(gpEvaluateBsdf(model(name.c_str(), parameters), 1, &wi.x, &wo.x, &value));
         const glm::dvec3 expected =

@@ -98,6 +98,12 @@ TEST(Tangents, UprightPicture) {
     }
 }
 
+// What surface.glsl takes as "none", so that it looks at the texture coordinates.
+TEST(Tangents, NoneAreZero) {
+    const Mesh m = filled(square(), false);
+    for (uint32_t v = 0; v < 4; ++v) EXPECT_EQ(m.vertices[v].tangentOct, 0u);
+}
+
 TEST(Tangents, GivenOnesAreKept) {
     MeshData d = square();
     d.tangents.assign(4, {0, 1, 0, -1});

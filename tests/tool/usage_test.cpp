@@ -50,7 +50,8 @@ TEST(Help, NamesEveryOptionOfRender) {
           "--env-rotation", "--env-color", "--camera", "--from", "--look-at", "--fov", "--sun",
           "--exposure", "--tonemap", "--aov", "--seed", "--threads", "--json", "--shading",
           "--filter", "--clamp", "--isa", "--backend", "--time", "--full-float", "--quiet",
-          "--animation", "--scene", "--no-roulette", "Automatic exposure"}) {
+          "--animation", "--scene", "--no-roulette", "--mode", "--lighting", "--set",
+          "--frequency", "--falloff", "--ambient", "Automatic exposure"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
 }
@@ -116,6 +117,24 @@ TEST(Usage, WrongValuesOfRender) {
              {{"--sun", "10,91,0"}, "--sun"},
              {{"--sun", "10,20,-5"}, "--sun"},
              {{"--env-color", "1,1,1", "--sun", "10,20,0"}, "--sun"},
+             {{"--mode", "raster"}, "reference, local"},
+             {{"--lighting", "phong"}, "--lighting: only with --mode local"},
+             {{"--set", "exponent=3"}, "--set: only with --mode local"},
+             {{"--frequency", "flat"}, "--frequency: only with --mode local"},
+             {{"--falloff", "none"}, "--falloff: only with --mode local"},
+             {{"--ambient", "1,1,1"}, "--ambient: only with --mode local"},
+             {{"--mode", "local", "--bounces", "16"}, "--bounces: only with --mode reference"},
+             {{"--mode", "local", "--clamp", "1"}, "--clamp: only with --mode reference"},
+             {{"--mode", "local", "--no-roulette"}, "--no-roulette: only with --mode reference"},
+             {{"--mode", "local", "--set", "exponent=3"}, "--set: needs --lighting"},
+             {{"--mode", "local", "--lighting", "phongg"}, "did you mean phong?"},
+             {{"--mode", "local", "--lighting", "phong", "--set", "wrap=1"}, "'wrap'"},
+             {{"--mode", "local", "--lighting", "phong", "--shading", "diffuse"}, "--lighting"},
+             {{"--mode", "local", "--lighting", "all", "--json", "-"}, "--json"},
+             {{"--mode", "local", "--frequency", "quad"}, "phong, gouraud, flat"},
+             {{"--mode", "local", "--falloff", "cubic"}, "inverse-square, inverse, none"},
+             {{"--mode", "local", "--ambient", "1,1"}, "--ambient"},
+             {{"--mode", "local", "--ambient", "1,-1,0"}, "negative"},
              {{"--exposure", "bright"}, "--exposure"},
              {{"--tonemap", "filmic"}, "agx"},
              {{"--aov", "albedo"}, "--aov"},

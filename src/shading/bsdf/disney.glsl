@@ -141,15 +141,20 @@ BsdfValue disney_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     float roughness = disney_roughness(m);
     DisneyWidths w = disney_widths(roughness, disney_anisotropic(m));
     float d = ggx_d(wm, w.x, w.y);
-    float coat_d = gtr_d(wm, disney_coat_alpha(m), 1.0f);
+    // What is off costs nothing.
+    float coat_d = disney_clearcoat(m) > 0.0f ? gtr_d(wm, disney_coat_alpha(m), 1.0f) : 0.0f;
     float weight = schlick_weight(a.h);
     vec3 f0 = disney_specular_f0(m);
 
-    float base = mix(disney_diffuse_lobe(a, roughness), disney_subsurface_lobe(a, roughness),
-                     disney_subsurface(m));
+    float base = disney_diffuse_lobe(a, roughness);
+    if (disney_subsurface(m) > 0.0f) {
+        base = mix(base, disney_subsurface_lobe(a, roughness), disney_subsurface(m));
+    }
     vec3 f = (1.0f - m.metallic) * (base * m.base_color + weight * disney_sheen_color(m));
     f += (f0 + (vec3(1.0f) - f0) * weight) * (d * disney_visibility(m, w, wo, wi));
-    f += vec3(disney_coat(m, wo, wi, coat_d, a.h));
+    if (coat_d > 0.0f) {
+        f += vec3(disney_coat(m, wo, wi, coat_d, a.h));
+    }
 
     DisneyShares s = disney_shares(m, wo.z);
     float diffuse_pdf = mix(cosine_hemisphere_pdf(wi), uniform_hemisphere_pdf(wi), s.uniform_part);
