@@ -12,9 +12,13 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  glitterpath brdf list\n"
     "  glitterpath brdf eval ward --set alpha_x=0.3 alpha_y=0.1 --wi 0.5,0,1 --wo -0.5,0,1\n"
-    "  glitterpath brdf eval --csv directions.csv -o values.csv\n"
+    "  glitterpath brdf plot ward lambert --kind polar -o polar.png\n"
+    "  glitterpath brdf slice ward:form=ward ward:form=duer --difference -o difference.png\n"
+    "  glitterpath brdf check disney\n"
+    "  glitterpath brdf sphere disney:metallic=1,roughness=0.3 grating -o spheres.png\n"
+    "  glitterpath brdf sweep disney --param roughness -o sweep.png\n"
     "  glitterpath brdf export disney --set metallic=1 -o metal.binary\n\n"
-    "`glitterpath brdf list --help` and `glitterpath brdf eval --help` tell the rest.";
+    "`glitterpath brdf SUBCOMMAND --help` tells the rest.";
 
 // "list, eval or plot"
 std::string namesOf(const std::vector<Command>& commands) {

@@ -90,7 +90,7 @@ Rgb8 outside(std::size_t i, unsigned size) {
 
 constexpr Rgb8 kNotFinite = {255, 0, 255};
 
-// Blue, white, red. [ColorBrewer, RdBu]
+// Blue, white, red. [Harrower, Brewer 2003, RdBu]
 glm::vec3 diverging(double t) {
     const glm::vec3 blue(0.129f, 0.4f, 0.675f), white(0.969f), red(0.698f, 0.094f, 0.169f);
     const auto s = static_cast<float>(std::abs(t));
