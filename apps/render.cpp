@@ -69,6 +69,7 @@ void prepare(const CLI::App& app, RenderSettings& settings) {
     if (!settings.jsonPath.empty()) {
         checkWritable(settings.jsonPath);
     }
+    settings.local.models.quiet = settings.quiet;
     settings.device.instructionSet =
         settings.instructionSet.empty() ? nullptr : settings.instructionSet.c_str();
 }

@@ -69,10 +69,13 @@ Model make(GpDevice device, const std::string& word, GpBsdfDialect dialect,
         throw UsageError(line);
     }
     model.transmissive = transmits(device, model.bsdf);
+    return model;
+}
+
+void printNotices(const Model& model) {
     for (const Json& notice : model.description.at("notices")) {
         fmt::print(stderr, "glitterpath: note: {}\n", notice.get<std::string>());
     }
-    return model;
 }
 
 }  // namespace
@@ -122,6 +125,9 @@ std::vector<Model> newModels(GpDevice device, const ModelOptions& options) {
     std::vector<Model> models;
     for (const std::string& word : options.words) {
         models.push_back(make(device, word, options.dialect, common, pick));
+        if (!options.quiet) {
+            printNotices(models.back());
+        }
     }
     for (const auto& [name, value] : common) {
         bool known = !pick;

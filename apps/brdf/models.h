@@ -27,6 +27,7 @@ ModelWord parseModelWord(const std::string& word);
 struct ModelOptions {
     std::vector<std::string> words, assignments;
     GpBsdfDialect dialect = GP_DIALECT_OWN;
+    bool quiet = false;  // no notes
 };
 
 struct Model {

@@ -75,6 +75,7 @@ TEST(LocalMode, ClampedParametersAreNoted) {
     const TestFolder folder;
     const ToolResult result = render(folder("a.exr"), {"--lighting", "minnaert:k=200"});
     EXPECT_NE(result.err.find("minnaert: k: 200 is outside of"), std::string::npos) << result.err;
+    EXPECT_EQ(render(folder("a.exr"), {"--lighting", "minnaert:k=200", "--quiet"}).err, "");
 }
 
 TEST(LocalMode, SheetsHoldAPictureForEachModelAndFrequency) {
