@@ -6,11 +6,15 @@ import shading_book
 
 MOST_BYTES = 25000
 # What each kind is drawn with; the command's own light and exposure show every model.
-OPTIONS = {"sphere": ["--size", "160"], "slice": ["--size", "160", "--square-theta-h"]}
+OPTIONS = {"sphere": ["--size", "128"], "slice": ["--size", "128"]}
+# Other parameters than the defaults where those show nothing: fibres across the slice's plane have
+# the same value everywhere.
+SHOWN_AS = {("slice", "kajiya_kay"): "kajiya_kay:fibre=along_x"}
 
 
 def draw_one(tool, kind, name, path):
-    done = subprocess.run([tool, "brdf", kind, name, *OPTIONS[kind], "-o", path],
+    model = SHOWN_AS.get((kind, name), name)
+    done = subprocess.run([tool, "brdf", kind, model, *OPTIONS[kind], "-o", path],
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines() or ["no message"]
