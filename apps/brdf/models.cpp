@@ -81,7 +81,8 @@ void printNotices(const Model& model) {
 }  // namespace
 
 const char* const kModelSyntax =
-    "MODEL is a name (`glitterpath brdf list` shows them), alone or with parameters of its own:\n"
+    "MODEL is a model (`glitterpath brdf list`), a preset (`glitterpath brdf presets`),\n"
+    "FILE.toml#NAME (a preset of a file) or FILE.binary (measured), alone or with parameters:\n"
     "  ward:alpha_x=0.3,alpha_y=0.1,base_color=0.8,0.5,0.3\n"
     "--set is for all models: each takes what it knows and was not given itself.";
 
@@ -106,7 +107,7 @@ ModelWord parseModelWord(const std::string& word) {
 }
 
 void addModelOptions(CLI::App& app, ModelOptions& options) {
-    app.add_option("MODEL", options.words, "Models; `glitterpath brdf list` shows them");
+    app.add_option("MODEL", options.words, "Models, presets or measured files: see below");
     app.add_option("--set", options.assignments, "Set parameters; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1, -1)
@@ -115,7 +116,7 @@ void addModelOptions(CLI::App& app, ModelOptions& options) {
 
 std::vector<Model> newModels(GpDevice device, const ModelOptions& options) {
     if (options.words.empty()) {
-        throw UsageError("which MODEL? (`glitterpath brdf list` shows them)");
+        throw UsageError("which MODEL? (`glitterpath brdf list` and `brdf presets` show them)");
     }
     ParameterWords common;
     for (const std::string& word : options.assignments) {

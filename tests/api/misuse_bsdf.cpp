@@ -99,6 +99,17 @@ void addDescriptionRows(Rows& rows) {
                     [](World& w) { return gpDescribeBsdfModels(w.device, nullptr, 9, nullptr); }});
     rows.push_back({"gpDescribeBsdf", "no buffer", GP_ERROR_INVALID_ARGUMENT, "text is NULL",
                     [](World& w) { return gpDescribeBsdf(w.bsdf, nullptr, 9, nullptr); }});
+    rows.push_back({"gpDescribePresets", "no buffer", GP_ERROR_INVALID_ARGUMENT, "text is NULL",
+                    [](World& w) {
+                        return gpDescribePresets(w.device, nullptr, nullptr, 9, nullptr);
+                    }});
+    rows.push_back({"gpDescribePresets", "a file that is not there", GP_ERROR_FILE_NOT_FOUND,
+                    "nowhere.toml", [](World& w) {
+                        return gpDescribePresets(w.device, "nowhere.toml", nullptr, 0, nullptr);
+                    }});
+    addHandleRows<GpDevice>(rows, "gpDescribePresets", "device", [](World&, GpDevice d) {
+        return gpDescribePresets(d, nullptr, nullptr, 0, nullptr);
+    });
     addHandleRows<GpDevice>(rows, "gpDescribeBsdfModels", "device", [](World&, GpDevice d) {
         return gpDescribeBsdfModels(d, nullptr, 0, nullptr);
     });

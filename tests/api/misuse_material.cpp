@@ -118,6 +118,21 @@ void addLibraryRows(Rows& rows) {
                        [](World& w, GpMaterialDesc& d) {
                            d.bsdf = w.bsdf, d.layers = &layer, d.layerCount = 17;
                        }));
+    rows.push_back(row("an unknown preset", GP_ERROR_INVALID_ARGUMENT,
+                       "preset: unknown model 'golt' (did you mean gold?)",
+                       [](World&, GpMaterialDesc& d) { d.preset = "golt"; }));
+    rows.push_back(row("a preset and a bsdf", GP_ERROR_INVALID_ARGUMENT,
+                       "preset stands in the place of bsdf", [](World& w, GpMaterialDesc& d) {
+                           d.preset = "gold", d.bsdf = w.bsdf;
+                       }));
+    rows.push_back(row("a preset's file that is not there", GP_ERROR_FILE_NOT_FOUND,
+                       "nowhere.toml", [](World&, GpMaterialDesc& d) {
+                           d.preset = "nowhere.toml#gold";
+                       }));
+    rows.push_back(row("a texture for what the model has not got", GP_ERROR_INVALID_ARGUMENT,
+                       "baseColorTexture multiplies base_color", [](World& w, GpMaterialDesc& d) {
+                           d.preset = "soap_film", d.baseColorTexture.texture = w.texture;
+                       }));
     layered("a layer without bsdf", GP_ERROR_INVALID_HANDLE, "layers[0].bsdf is NULL",
             [](World&, GpMaterialLayer& l) { l.bsdf = nullptr; });
     layered("a layer of another model", GP_ERROR_INVALID_ARGUMENT,

@@ -87,7 +87,7 @@ TEST(Presets, HostileFiles) {
         {"[a]\nmodel = \"phongg\"", "a: unknown model 'phongg' (did you mean phong?)"},
         {"[a]\npreset = \"golt\"", "a: unknown preset 'golt' (did you mean gold?)"},
         {"[a]\npreset = \"a\"", "unknown preset 'a'"},
-        {"[a]\nmodle = \"phong\"", "f.toml:2: unknown key 'modle' (did you mean model?)"},
+        {"[a]\nmodl = \"phong\"", "f.toml:2: unknown key 'modl' (did you mean model?)"},
         {"[a]\nmodel = \"phong\"\nset = 5", "f.toml:3: a: set is no table"},
         {"[a]\nmodel = \"phong\"\nset = { exponent = [] }", "exponent: '' is not a finite number"},
         {"[a]\nmodel = \"phong\"\nset = { exponent = inf }", "not a finite number"},

@@ -148,7 +148,7 @@ TEST(BrdfUsage, RefusesWords) {
         words.insert(words.end(), up.begin(), up.end());
         return words;
     };
-    expectError(runTool({"brdf"}), 2, "a subcommand is missing: list, eval");
+    expectError(runTool({"brdf"}), 2, "a subcommand is missing: list, presets, eval");
     expectError(runTool({"brdf", "evl"}), 2, "did you mean eval?");
     expectError(runTool({"brdf", "list", "--jsn"}), 2, "did you mean --json?");
     expectError(eval({}), 2, "MODEL");

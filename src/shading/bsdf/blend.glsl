@@ -30,6 +30,10 @@ BsdfParams bsdf_blended(IN(BsdfParams) a, IN(BsdfParams) b, float t) {
     m.slot_d = mix(a.slot_d, b.slot_d, t);
     m.slot_e = mix(a.slot_e, b.slot_e, t);
     m.slot_f = mix(a.slot_f, b.slot_f, t);
+    m.slot_g = mix(a.slot_g, b.slot_g, t);
+    m.slot_h = mix(a.slot_h, b.slot_h, t);
+    m.slot_i = mix(a.slot_i, b.slot_i, t);
+    m.slot_j = mix(a.slot_j, b.slot_j, t);
     return m;
 }
 

@@ -114,7 +114,7 @@ KullaContyView kulla_conty_view(IN(BsdfParams) m, IN(ScatteringLoss) losses, vec
     if (kulla_conty_has_base(m)) {
         float share = schlick_share(kulla_conty_schlick(m), cos_w);
         view.facets = kulla_conty_facets(m, view.loss, (1.0f - view.loss) * share);
-        view.through = max(vec3(1.0f) - view.facets - view.loss * wide, vec3(0.0f));
+        view.through = clamp(vec3(1.0f) - view.facets - view.loss * wide, 0.0f, 1.0f);
     }
     return view;
 }
