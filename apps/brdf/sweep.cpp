@@ -103,10 +103,10 @@ Row rowOf(GpDevice device, const Settings& settings, const Model& model, const s
 }
 
 // Rows of different lengths end in gaps.
-PictureGrid sheetOf(const std::string& label, const std::vector<Row>& rows,
+PictureGrid sheetOf(const std::string& title, const std::vector<Row>& rows,
                     const std::vector<GridPicture>& pictures) {
     PictureGrid sheet;
-    sheet.title = label;
+    sheet.title = title;
     for (const Row& row : rows) {
         sheet.columns = std::max(sheet.columns, static_cast<unsigned>(row.values.size()));
         sheet.rowTitles.push_back(row.parameter);
@@ -144,7 +144,11 @@ int runSweep(const Settings& settings) {
         fmt::print(stderr, "glitterpath: interrupted: nothing saved\n");
         return kExitInterrupted;
     }
-    drawPictureGrid(sheetOf(model.label, rows, displayed(spheres, settings.spheres)),
+    std::string title = model.label;
+    for (const std::string& assignment : settings.models.assignments) {
+        title += ", " + assignment;
+    }
+    drawPictureGrid(sheetOf(title, rows, displayed(spheres, settings.spheres)),
                     settings.outputPath);
     return kExitSuccess;
 }
