@@ -177,6 +177,7 @@ TEST_P(LocalLightingTest, EveryModelIsItsOwnValueTimesTheLight) {
     stage.check(gpDescribeBsdfModels(stage.device, text.data(), size, nullptr));
     uint32_t bright = 0;
     for (const auto& entry : nlohmann::json::parse(text.c_str())) {
+        if (entry["fromFile"] == true) continue;  // has no values without its file
         const std::string name = entry["name"];
         std::vector<GpBsdfParameter> parameters;
         // Turned by 90 degrees these two would show another brightness.
