@@ -137,7 +137,7 @@ const LibraryCase libraryCases[] = {
     {"kulla_conty", "coarse", "masking=smith_separable alpha=1"},
     {"kulla_conty", "smooth", "distribution=beckmann alpha=0.02"},
     {"kulla_conty", "beckmann", "distribution=beckmann masking=smith_separable alpha=0.7"},
-    {"kulla_conty", "plastic", "base_color=0.04 diffuse_color=0.9,0.5,0.2 alpha=0.3 "
+    {"kulla_conty", "plastic", "base_color=0.04 diffuse_color=0.9,0.5,0.2 alpha=0.8 "
      "distribution=gtr shape=1.5 masking=smith_van_ginneken"},
     {"kulla_conty", "cavities", "distribution=blinn_phong masking=v_cavity alpha=0.5"},
     {"kulla_conty", "single", "multiple=0 alpha=0.4", 0u, true},
