@@ -7,6 +7,7 @@
 
 #include "io/file.h"
 #include "io/presets_data.h"
+#include "io/toml_depth.h"
 #include "scene/find_by_name.h"
 
 namespace gp::io {
@@ -14,6 +15,7 @@ namespace gp::io {
 namespace {
 
 constexpr size_t sizeLimit = size_t(1) << 22;  // of a file
+constexpr size_t keyPartLimit = 16;
 constexpr size_t layerLimit = 17;              // the bottom, and what a material has over it
 
 // What is wrong and where.
@@ -177,6 +179,9 @@ private:
 
 std::vector<Preset> parse(std::string_view text, const std::string& path,
                           const std::vector<Preset>* builtIn) {
+    if (const size_t line = lineWithLongKey(text, keyPartLimit))
+        throw FileError(FileError::Kind::invalid, fmt::format("{}:{}", path, line),
+                        fmt::format("a key of more than {} parts", keyPartLimit));
     try {
         return Reader(path, builtIn).read(toml::parse(text, path));
     } catch (const toml::parse_error& error) {

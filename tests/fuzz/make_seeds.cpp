@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "io/presets_data.h"
 #include "io/sample_files.h"
 
 using namespace gp::test;
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
     const std::string folder = argv[1];
     std::filesystem::create_directories(folder + "/gltf");
     std::filesystem::create_directories(folder + "/image");
+    std::filesystem::create_directories(folder + "/presets");
     const GltfBuilder rich = richGltf();
     GltfBuilder plain;
     plain.addMesh(plain.vec3s({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
@@ -28,5 +30,9 @@ int main(int argc, char** argv) {
     for (int k = 0; k < 10; ++k)
         writeFile(folder + "/image/" + std::to_string(k) + ".exr", sampleExr(ExrKind(k)));
     writeFile(folder + "/image/0.hdr", sampleHdr());
+    for (const gp::io::PresetText& file : gp::io::presetTexts()) {
+        const auto* bytes = reinterpret_cast<const std::byte*>(file.text.data());
+        writeFile(folder + "/presets/" + file.name, {bytes, bytes + file.text.size()});
+    }
     return 0;
 }

@@ -104,7 +104,14 @@ TEST(Presets, HostileFiles) {
         {"[a]\nlayers = [{ preset = \"gold\" }, { preset = \"gold\", channel = \"rg\" }]",
          "channel is 'rg'"},
     };
-    for (const auto& [text, message] : rows) {
+    std::string deep = "a";
+    for (int i = 0; i < 100000; ++i) deep += i % 2 ? ".a" : " .\t\"a = 1\"";
+    const std::string deepHeader = "b = 1\n[" + deep + "]\nmodel = \"phong\"";
+    const std::string deepInline = "[a]\nset = { " + deep + " = 1 }";
+    std::vector<std::pair<const char*, const char*>> all(std::begin(rows), std::end(rows));
+    all.emplace_back(deepHeader.c_str(), "f.toml:2: a key of more than 16 parts");
+    all.emplace_back(deepInline.c_str(), "f.toml:2: a key of more than 16 parts");
+    for (const auto& [text, message] : all) {
         try {
             parsePresets(text, "f.toml");
             ADD_FAILURE() << text;
