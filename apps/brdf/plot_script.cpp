@@ -54,11 +54,11 @@ bool isGrazing(double degrees) {
 }
 
 double largestOf(const std::vector<Line>& lines, PlotKind kind) {
-    const bool views = kind == PlotKind::polar || kind == PlotKind::thetaV;
+    const bool directions = kind != PlotKind::albedo;
     double largest = 0.0;
     for (const Line& line : lines) {
         for (const auto& [x, y] : line.points) {
-            const bool grazing = views && isGrazing(x);
+            const bool grazing = directions && isGrazing(x);
             largest = std::isfinite(y) && !grazing ? std::max(largest, y) : largest;
         }
     }

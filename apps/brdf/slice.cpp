@@ -26,7 +26,8 @@ constexpr const char* kNotes =
     "2^exposure, clipped at 1. Below the horizon there is a grey check; what is not finite is\n"
     "magenta.\n\n"
     "--difference: the luminance of the first model minus that of the second, blue to red, with a\n"
-    "scale that ends at the largest difference, or at 2^-exposure where --exposure is given.\n\n"
+    "scale that ends where all but one in twenty differences are, or at 2^-exposure where\n"
+    "--exposure is given.\n\n"
     "Examples:\n"
     "  glitterpath brdf slice lambert oren_nayar disney -o slices.png\n"
     "  glitterpath brdf slice ward:form=ward ward:form=duer --difference -o difference.png\n"
@@ -128,15 +129,24 @@ GridPicture slicePicture(const std::string& title, const std::vector<glm::vec3>&
     return picture;
 }
 
+// Highlights and the horizon are so bright that everything else would show no difference: the scale
+// ends where all but one in twenty are.
 double rangeOf(const std::vector<double>& differences, const SliceSettings& settings) {
     if (settings.exposureGiven) {
         return std::exp2(-settings.exposureEv);
     }
-    double largest = 0.0;
+    std::vector<double> sizes;
     for (const double d : differences) {
-        largest = std::isfinite(d) ? std::max(largest, std::abs(d)) : largest;
+        if (std::isfinite(d) && d != 0.0) {
+            sizes.push_back(std::abs(d));
+        }
     }
-    return largest > 0.0 ? largest : 1.0;  // two that are the same
+    if (sizes.empty()) {
+        return 1.0;  // two that are the same
+    }
+    const auto end = sizes.begin() + static_cast<std::ptrdiff_t>(0.95 * double(sizes.size() - 1));
+    std::nth_element(sizes.begin(), end, sizes.end());
+    return *end;
 }
 
 void addDifference(PictureGrid& sheet, const std::vector<std::vector<glm::vec3>>& values,
