@@ -1,0 +1,40 @@
+// What a real-time frame is, for its kernels. C++ reads it through shared/realtime_structs.h; vec3
+// is always followed by one scalar, so that std430 and C++ agree on every offset.
+#ifndef GP_SHARED_REALTIME_STRUCTS_GLSL
+#define GP_SHARED_REALTIME_STRUCTS_GLSL
+
+// depth of pixels that show the sky. Halves the largest float, so that differences stay finite.
+#define DEPTH_NONE 1.0e30f
+
+// Flags in `material`.
+#define REALTIME_SKY 1u
+#define REALTIME_NO_HISTORY 2u    // nothing is known of where it was
+#define REALTIME_UNLIT 4u         // no light of the three channels reaches it
+#define REALTIME_FIRST_PERSON 8u
+
+// What a pixel of `material` holds.
+struct PixelMaterial {
+    float roughness;
+    float metallic;
+    uint flags;
+    uint mirrors;   // reflected or refracted so often before this surface
+};
+
+// gp::RealtimePlan and what a frame knows of the one before.
+struct RealtimeConstants {
+    ivec2 size;              // of rays and denoising
+    ivec2 output_size;
+    vec2 jitter;             // of this frame's rays, pixels from the centre
+    vec2 previous_jitter;
+    uint frame_index;        // grows by one a frame
+    uint has_previous;       // 0: the first frame, or one after a cut
+    uint mirror_limit;       // of reflections and refractions before the surface that is shown
+    uint resolves_gradients; // 1: some pixels repeat the last frame's draws
+    float time_seconds;      // since the last frame
+    uint pad0;
+#define X(name, initial, minimum, maximum, text) float name;
+#include "shared/denoiser_parameters.def"
+#undef X
+};
+
+#endif
