@@ -38,7 +38,7 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
     std::array<std::vector<std::byte>, realtimeImageCount> current, previous;
     for (size_t i = 0; i < realtimeImageCount; ++i) {
         const size_t bytes = pixels(views.size[size_t(infos[i].size)]) *
-                             bytesPerPixel(infos[i].format);
+                             gp::bytesPerPixel(infos[i].format);
         current[i].resize(bytes);
         views.current[i] = current[i].data();
         if (infos[i].copies < 2) continue;
@@ -61,6 +61,14 @@ uint64_t RealtimeImages::bytes() const {
     uint64_t sum = 0;
     for (size_t i = 0; i < realtimeImageCount; ++i) sum += current_[i].size() + previous_[i].size();
     return sum;
+}
+
+size_t RealtimeImages::bytesPerPixel() {
+    size_t full = 0, third = 0;
+    for (const RealtimeImageInfo& info : infos)
+        (info.size == RealtimeSize::THIRD ? third : full) +=
+            info.copies * gp::bytesPerPixel(info.format);
+    return full + (third + 8) / 9;
 }
 
 }  // namespace gp

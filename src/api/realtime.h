@@ -1,0 +1,13 @@
+// Frames of GP_MODE_REALTIME.
+#pragma once
+
+#include "api/frames.h"
+#include "frame/realtime_plan.h"
+
+namespace gp::api {
+
+// The options that this mode has; throws ApiError for those that it has not.
+RealtimePlan realtimePlanFrom(const GpRenderOptions& options);
+void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan);
+
+}  // namespace gp::api
