@@ -1,6 +1,7 @@
 #include "frame/realtime.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace gp {
@@ -12,19 +13,13 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-float radicalInverse(uint32_t base, uint32_t index) {
-    float result = 0, share = 1.0f / float(base);
-    for (; index > 0; index /= base, share /= float(base)) result += float(index % base) * share;
-    return result;
-}
-
-// Where in the pixels the rays of a frame go: the first points of a Halton sequence, which cover
-// the pixel evenly and repeat, so that anti-aliasing over time has seen all of them soon.
-// [Halton 1960, "On the efficiency of certain quasi-random sequences of points"]
+// Where in the pixels the rays of a frame go: evenly after any number of frames.
+// [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", the R2 sequence]
 glm::vec2 jitterOf(uint32_t frame) {
-    constexpr uint32_t period = 16;
-    const uint32_t i = frame % period + 1;
-    return {radicalInverse(2, i) - 0.5f, radicalInverse(3, i) - 0.5f};
+    const double n = double(frame) + 1;
+    const auto fraction = [](double x) { return float(x - std::floor(x)); };
+    return {fraction(0.5 + n * 0.7548776662466927) - 0.5f,
+            fraction(0.5 + n * 0.5698402909980532) - 0.5f};
 }
 
 const char* const passNames[] = {
