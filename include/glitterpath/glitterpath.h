@@ -563,9 +563,17 @@ typedef struct GpLocalLighting {
  * also through gpUpdateMesh, leaves motion vectors. Cameras are pinholes here: apertureRadius does
  * not count. Of GpRenderOptions samplesPerPixel, timeLimit, noiseTarget, pixelFilter,
  * pixelFilterRadius and accumulate are for other modes. */
+typedef enum GpAntiAliasing {
+    GP_AA_TEMPORAL = 0, /* rays move within their pixels, and each picture goes on from the last */
+    GP_AA_NONE = 1,     /* rays go through the middle of their pixels */
+    GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
+} GpAntiAliasing;
+
 typedef struct GpRealtimeOptions {
     int32_t resetHistory;   /* not 0: nothing of earlier frames is used, as after a cut */
-    int32_t noJitter;       /* not 0: rays go through the middle of their pixels in every frame */
+    GpAntiAliasing antiAliasing;
+    float renderScale;      /* rays along each side of the picture for a pixel: 0.5..1, 0 = 1. Below
+                               1 the picture is scaled up over time; a change forgets history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
 } GpRealtimeOptions;

@@ -1,6 +1,7 @@
 #include "api/realtime.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "api/check.h"
 #include "api/scenes.h"
@@ -32,13 +33,22 @@ RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
     checkOthers(o);
     RealtimePlan plan;
     plan.resetHistory = o.realtime.resetHistory != 0;
-    plan.jitter = o.realtime.noJitter == 0;
+    plan.antiAliasing =
+        AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
     const int32_t mirrors = o.realtime.mirrorLimit;
     if (mirrors < GP_NO_BOUNCES || mirrors > int32_t(mirrorsAtMost))
         fail(GP_ERROR_OUT_OF_RANGE, "options.realtime.mirrorLimit is {}, not in -1..{}", mirrors,
              mirrorsAtMost);
     if (mirrors != 0) plan.mirrorLimit = mirrors < 0 ? 0 : uint32_t(mirrors);
     return plan;
+}
+
+void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
+    const float scale = o.realtime.renderScale == 0 ? 1 : o.realtime.renderScale;
+    checkRange(scale, 0.5, 1, "options.realtime.renderScale");
+    plan.outputSize = output;
+    plan.frame.width = std::max(1u, uint32_t(std::lround(scale * float(output.x))));
+    plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }
 
 void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan) {

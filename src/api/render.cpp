@@ -63,7 +63,7 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
         fail(GP_ERROR_INVALID_ARGUMENT, "options.{} is only for frames of {}", field, mode);
     };
     const GpRealtimeOptions& r = o.realtime;
-    if (frame.mode != FrameMode::realtime && (r.resetHistory || r.noJitter || r.mirrorLimit))
+    if (frame.mode != FrameMode::realtime && (r.resetHistory || r.antiAliasing != 0 || r.renderScale != 0 || r.mirrorLimit))
         refuse("realtime", "GP_MODE_REALTIME");
     if (frame.mode == FrameMode::local) {
         if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE or REALTIME");
@@ -213,6 +213,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         if (options.maxBounces == 0) plan.maxBounces = 1;
         plan.lastByLights = true;
         realtime.frame = plan;
+        setSizes(realtime, options, {plan.width, plan.height});
         frame.statistics.secondsBuild = build(*scene);
         renderRealtime(frame, *scene, realtime);
         return;

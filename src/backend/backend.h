@@ -56,7 +56,7 @@ public:
                                  const std::atomic<bool>& cancel) = 0;
     // One pass of a real-time frame, over the whole of its images.
     virtual RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) = 0;
-    // The tone-mapping pass of a real-time frame: `display` from its color.
+    // The tone-mapping pass of a real-time frame: `display` from its output.
     virtual void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                                  std::vector<glm::u8vec4>& display) = 0;
     // The tone-mapping pass: images.display from images.sums.

@@ -41,11 +41,21 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.has_previous = hasPrevious;
     c.mirror_limit = plan.mirrorLimit;
     c.repeats_draws = 0;
+    c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = initial;
 #include "shared/denoiser_parameters.def"
 #undef X
     return c;
+}
+
+void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
+    const RealtimeViews& views = images_.views();
+    if (views.size[size_t(RealtimeSize::FULL)] == full &&
+        views.size[size_t(RealtimeSize::OUTPUT)] == output)
+        return;
+    cut();
+    images_.resize(full, output);
 }
 
 // The frame from top to bottom.
@@ -55,6 +65,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
+    resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
     if (plan.resetHistory) cut();
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
@@ -65,7 +76,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     }
     motion_.compare(scene);
     previousJitter_ = jitter_;
-    jitter_ = plan.jitter ? jitterOf(index_) : glm::vec2(0);
+    jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
 
     const shared::RealtimeConstants c = constants(plan, hasPrevious);
@@ -86,6 +97,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     if (c.repeats_draws != 0) run(RealtimePass::gradient_reproject); // what repeats the last frame
     run(RealtimePass::lighting);                                    // three noisy channels
     run(RealtimePass::composite);                                   // together again
+    run(RealtimePass::resolve);                                     // smooth edges, output size
 
     const auto displayStart = Clock::now();
     backend.tonemapRealtime(images_.views(), frame.exposureEv, frame.tonemap, display);

@@ -28,7 +28,8 @@ struct RealtimeResult {
 // What a frame of the application's remembers.
 class RealtimeFrame {
 public:
-    void resize(glm::ivec2 full, glm::ivec2 output) { images_.resize(full, output), cut(); }
+    // Does nothing where the sizes are as they were; else history is forgotten.
+    void resize(glm::ivec2 full, glm::ivec2 output);
     // The next frame knows nothing of the ones before.
     void cut() { previousCamera_.reset(); }
     const RealtimeImages& images() const { return images_; }

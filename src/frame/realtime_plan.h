@@ -1,14 +1,19 @@
 // Every option of a real-time frame, resolved before its first pass.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include "frame/frame_plan.h"
 
 namespace gp {
 
+enum class AntiAliasing : uint32_t { temporal, none, jitter };
+
 struct RealtimePlan {
     FramePlan frame;              // size of rays, camera, seed, bounces, exposure, ...
+    glm::uvec2 outputSize{0};
     uint32_t mirrorLimit = 4;     // reflections and refractions before the surface that is shown
-    bool jitter = true;           // rays move within their pixel from frame to frame
+    AntiAliasing antiAliasing = AntiAliasing::temporal;
     bool resetHistory = false;
 };
 

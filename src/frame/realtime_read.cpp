@@ -62,7 +62,6 @@ struct Reader : ImageAccess {
         const vec4 albedo = load_albedo(p), specular = load_specular_albedo(p);
         const vec4 light = load_indirect(p);
         switch (which) {
-            case FrameImage::color: return load_color(p);
             case FrameImage::albedo: return vec4(vec3(albedo) + vec3(specular), 1);
             case FrameImage::normal:
                 return load_hit(p).x == HIT_NOTHING
@@ -85,10 +84,15 @@ struct Reader : ImageAccess {
 };
 #pragma GCC diagnostic pop
 
+// For every pixel of the picture the one of `size` that lies under it.
 template <class T, class F>
-void eachPixel(ivec2 size, T* out, const F& f) {
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) *out++ = f(ivec2(x, y));
+void eachPixel(const RealtimeImages& images, RealtimeSize which, T* out, const F& f) {
+    const ivec2 output = images.views().size[size_t(RealtimeSize::OUTPUT)];
+    const ivec2 size = images.views().size[size_t(which)];
+    for (int y = 0; y < output.y; ++y)
+        for (int x = 0; x < output.x; ++x)
+            *out++ = f(ivec2(int((int64_t(2 * x) + 1) * size.x / (2 * output.x)),
+                             int((int64_t(2 * y) + 1) * size.y / (2 * output.y))));
 }
 
 }  // namespace
@@ -96,27 +100,31 @@ void eachPixel(ivec2 size, T* out, const F& f) {
 void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::vec4* pixels) {
     Reader reader(images.views());
     const RealtimeSize size = realtimeImageInfo(which).size;
-    const bool output = size == RealtimeSize::OUTPUT;
-    const ivec2 full = images.views().size[size_t(output ? size : RealtimeSize::FULL)];
-    const int block = size == RealtimeSize::THIRD ? 3 : 1;
-    eachPixel(full, pixels, [&](ivec2 p) { return reader.layer(which, p / block); });
+    if (size == RealtimeSize::THIRD)  // its last blocks reach over the border
+        eachPixel(images, RealtimeSize::FULL, pixels,
+                  [&](ivec2 p) { return reader.layer(which, p / 3); });
+    else
+        eachPixel(images, size, pixels, [&](ivec2 p) { return reader.layer(which, p); });
 }
 
 void readRealtimeImage(const RealtimeImages& images, FrameImage which, void* pixels) {
     Reader reader(images.views());
-    const ivec2 size = images.views().size[size_t(RealtimeSize::FULL)];
-    if (which == FrameImage::depth) {
-        eachPixel(size, static_cast<float*>(pixels), [&](ivec2 p) {
+    const RealtimeSize full = RealtimeSize::FULL;
+    if (which == FrameImage::color) {
+        eachPixel(images, RealtimeSize::OUTPUT, static_cast<vec4*>(pixels),
+                  [&](ivec2 p) { return reader.load_output(p); });
+    } else if (which == FrameImage::depth) {
+        eachPixel(images, full, static_cast<float*>(pixels), [&](ivec2 p) {
             const float depth = reader.load_depth(p);
             return depth < DEPTH_NONE ? depth : std::numeric_limits<float>::infinity();
         });
     } else if (which == FrameImage::instance) {
-        eachPixel(size, static_cast<uint32_t*>(pixels), [&](ivec2 p) {
+        eachPixel(images, full, static_cast<uint32_t*>(pixels), [&](ivec2 p) {
             const uint instance = reader.load_hit(p).x;
             return instance < HIT_LIGHT ? instance + 1u : 0u;
         });
     } else {
-        eachPixel(size, static_cast<vec4*>(pixels),
+        eachPixel(images, full, static_cast<vec4*>(pixels),
                   [&](ivec2 p) { return reader.image(which, p); });
     }
 }

@@ -6,10 +6,11 @@
 
 namespace gp {
 
-// What a layer shows, RGBA for each pixel of RealtimeSize::FULL; OUTPUT images for each of theirs.
+// What a layer shows, RGBA for each pixel of the picture.
 void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::vec4* pixels);
 
-// The images that every mode has, for a pixel of FULL. Not `display`, nor `variance`.
+// The images that every mode has, a value for each pixel of the picture. Not `display`, nor
+// `variance`.
 void readRealtimeImage(const RealtimeImages& images, FrameImage which, void* pixels);
 
 }  // namespace gp

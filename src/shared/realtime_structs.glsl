@@ -48,6 +48,8 @@ struct RealtimeConstants {
     uint repeats_draws;      // 1: a pixel of each block repeats the draws of the last frame
     uint previous_instances; // how many the last frame had
     float time_seconds;      // since the last frame
+    uint resolves;           // 1: anti-aliasing over time, or upscaling; 0: a copy
+    uint pad0;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"
 #undef X

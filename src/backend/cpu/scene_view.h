@@ -128,7 +128,7 @@ struct LocalKernels {
 
 struct RealtimeKernels {
     TileCounts (*runTile)(const RealtimeTileJob& job);
-    // `count` pixels of the color image, from `first` on.
+    // `count` pixels of the output image, from `first` on.
     void (*tonemap)(const RealtimeViews& images, glm::u8vec4* display, size_t first, size_t count,
                     float exposureEv, uint32_t tonemap);
 };
