@@ -63,7 +63,9 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
         fail(GP_ERROR_INVALID_ARGUMENT, "options.{} is only for frames of {}", field, mode);
     };
     const GpRealtimeOptions& r = o.realtime;
-    if (frame.mode != FrameMode::realtime && (r.resetHistory || r.antiAliasing != 0 || r.renderScale != 0 || r.mirrorLimit))
+    const bool realtime =
+        r.resetHistory || r.antiAliasing != 0 || r.renderScale != 0 || r.mirrorLimit != 0;
+    if (frame.mode != FrameMode::realtime && realtime)
         refuse("realtime", "GP_MODE_REALTIME");
     if (frame.mode == FrameMode::local) {
         if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE or REALTIME");
