@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "frame/eye_adaptation.h"
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
 #include "frame/realtime_images.h"
@@ -56,6 +57,8 @@ public:
                                  const std::atomic<bool>& cancel) = 0;
     // One pass of a real-time frame, over the whole of its images.
     virtual RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) = 0;
+    // How bright the output of a real-time frame is; a part of its pixels, evenly spread.
+    virtual LuminanceHistogram luminanceHistogram(const RealtimeViews& images) = 0;
     // The tone-mapping pass of a real-time frame: `display` from its output.
     virtual void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                                  std::vector<glm::u8vec4>& display) = 0;

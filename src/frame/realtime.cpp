@@ -42,6 +42,7 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.mirror_limit = plan.mirrorLimit;
     c.repeats_draws = 0;
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
+    c.time_seconds = plan.timeStep;
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = initial;
 #include "shared/denoiser_parameters.def"
@@ -100,7 +101,11 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     run(RealtimePass::resolve);                                     // smooth edges, output size
 
     const auto displayStart = Clock::now();
-    backend.tonemapRealtime(images_.views(), frame.exposureEv, frame.tonemap, display);
+    result.exposureEv = frame.exposureEv;
+    if (plan.eye.seconds > 0)
+        result.exposureEv += eye_.see(backend.luminanceHistogram(images_.views()), plan.eye,
+                                      plan.timeStep);
+    backend.tonemapRealtime(images_.views(), result.exposureEv, frame.tonemap, display);
     result.passes.push_back({"display", millisecondsSince(displayStart)});
 
     result.cancelled = cancel.load();

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include "frame/eye_adaptation.h"
 #include "frame/frame_plan.h"
 
 namespace gp {
@@ -15,6 +16,8 @@ struct RealtimePlan {
     uint32_t mirrorLimit = 4;     // reflections and refractions before the surface that is shown
     AntiAliasing antiAliasing = AntiAliasing::temporal;
     bool resetHistory = false;
+    float timeStep = 1.0f / 60;   // seconds since the last frame
+    EyeAdaptation eye;
 };
 
 // A pass that traces or shades; those that filter are in frame/denoise.h.

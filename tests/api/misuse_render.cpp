@@ -93,6 +93,12 @@ void addRealtimeRows(Rows& rows) {
                     [](GpRenderOptions& o) { o.realtime.renderScale = 0.4f; }),
         realtimeRow("a scale that is no number", GP_ERROR_NOT_FINITE, "renderScale",
                     [](GpRenderOptions& o) { o.realtime.renderScale = nanf; }),
+        realtimeRow("time that runs back", GP_ERROR_OUT_OF_RANGE, "timeStep is -1",
+                    [](GpRenderOptions& o) { o.realtime.timeStep = -1; }),
+        realtimeRow("an eye that never adapts", GP_ERROR_NOT_FINITE, "eyeAdaptation.seconds",
+                    [](GpRenderOptions& o) { o.realtime.eyeAdaptation.seconds = nanf; }),
+        realtimeRow("an eye without range", GP_ERROR_OUT_OF_RANGE, "above evMax",
+                    [](GpRenderOptions& o) { o.realtime.eyeAdaptation.evMin = 1; }),
         realtimeRow("unknown anti-aliasing", GP_ERROR_INVALID_ARGUMENT, "antiAliasing is 3",
                     [](GpRenderOptions& o) {
                         o.realtime.antiAliasing = anyEnum<GpAntiAliasing>(3);

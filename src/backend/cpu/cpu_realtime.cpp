@@ -49,6 +49,12 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     });
 }
 
+LuminanceHistogram CpuBackend::luminanceHistogram(const RealtimeViews& images) {
+    LuminanceHistogram histogram{};
+    realtimeKernels_.luminanceHistogram(images, histogram.data());
+    return histogram;
+}
+
 void CpuBackend::tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                                  std::vector<glm::u8vec4>& display) {
     constexpr size_t run = 4096;

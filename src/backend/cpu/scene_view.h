@@ -128,6 +128,8 @@ struct LocalKernels {
 
 struct RealtimeKernels {
     TileCounts (*runTile)(const RealtimeTileJob& job);
+    // Every fourth pixel of every fourth row.
+    void (*luminanceHistogram)(const RealtimeViews& images, uint32_t* bins);
     // `count` pixels of the output image, from `first` on.
     void (*tonemap)(const RealtimeViews& images, glm::u8vec4* display, size_t first, size_t count,
                     float exposureEv, uint32_t tonemap);

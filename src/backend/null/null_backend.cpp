@@ -34,6 +34,7 @@ public:
     }
 
     RayCounts runRealtimePass(const RealtimeJob&, RealtimePass) override { return {}; }
+    LuminanceHistogram luminanceHistogram(const RealtimeViews&) override { return {}; }
     void tonemapRealtime(const RealtimeViews&, float, Tonemap,
                          std::vector<glm::u8vec4>& display) override {
         std::fill(display.begin(), display.end(), glm::u8vec4(0, 0, 0, 255));
