@@ -569,6 +569,15 @@ typedef enum GpAntiAliasing {
     GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
 } GpAntiAliasing;
 
+/* How a pixel's shadow ray chooses among the lights that are not directional.
+ * [Bitterli et al. 2020, "ReSTIR"] */
+typedef enum GpLightReuse {
+    GP_REUSE_NONE = 0,    /* by expected irradiance, each pixel and frame by itself */
+    GP_REUSE_BIASED = 1,  /* with what this and nearby pixels found in the last frame: less noise,
+                             somewhat too dark where few pixels see a light */
+    GP_REUSE_UNBIASED = 2 /* the same with the right weights: more noise there, and slower */
+} GpLightReuse;
+
 /* The exposure follows what the frame shows: the middle tones become a middle grey, and exposureEv
  * is added to that. */
 typedef struct GpEyeAdaptation {
@@ -583,6 +592,7 @@ typedef struct GpRealtimeOptions {
                                1 the picture is scaled up over time; a change forgets history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
+    GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
 } GpRealtimeOptions;

@@ -50,7 +50,7 @@ EyeAdaptation eyeFrom(const GpEyeAdaptation& e) {
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.eyeAdaptation.seconds == 0 &&
+           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 && o.eyeAdaptation.seconds == 0 &&
            o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
 }
 
@@ -60,6 +60,7 @@ RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
     plan.resetHistory = o.realtime.resetHistory != 0;
     plan.antiAliasing =
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
+    plan.lightReuse = LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
     constexpr double longestStep = 3600;
     checkRange(o.realtime.timeStep, 0, longestStep, "options.realtime.timeStep");
     if (o.realtime.timeStep > 0) plan.timeStep = o.realtime.timeStep;

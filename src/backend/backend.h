@@ -12,6 +12,7 @@
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
+#include "scene/light_table.h"
 #include "scene/scene.h"
 
 namespace gp {
@@ -29,6 +30,8 @@ public:
     virtual void update(const Scene& scene) = 0;
     virtual uint64_t accelerationBytes() const = 0;
     virtual uint64_t emissiveTriangles() const = 0;
+    // The lights under the numbers that its passes use; the same until the next update.
+    virtual const LightTable& lights() const = 0;
 };
 
 // One real-time frame, as its passes see it.

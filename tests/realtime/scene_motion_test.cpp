@@ -34,13 +34,13 @@ TEST(SceneMotion, FindsIdsInAnotherOrderAndAsOtherObjects) {
     Scene scene;
     for (uint64_t id : {11, 12, 13}) scene.instances.push_back(instance(m, id, float(id)));
     SceneMotion motion;
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     for (const auto& p : motion.instances()) EXPECT_EQ(p.index, NO_INDEX);  // nothing before
-    motion.remember(scene);
+    motion.remember(scene, makeLightTable(scene));
 
     Scene next;
     for (uint64_t id : {13, 14, 11}) next.instances.push_back(instance(m, id, 0));
-    motion.compare(next);
+    motion.compare(next, makeLightTable(next));
     EXPECT_EQ(motion.instances()[0].index, 2u);
     EXPECT_EQ(motion.instances()[1].index, NO_INDEX);  // 14 is new
     EXPECT_EQ(motion.instances()[2].index, 0u);
@@ -54,11 +54,11 @@ TEST(SceneMotion, ObjectsWithoutIdAreThemselves) {
     Scene scene;
     scene.instances = {instance(m, 0, 1), instance(m, 0, 2)};
     SceneMotion motion;
-    motion.remember(scene);
+    motion.remember(scene, makeLightTable(scene));
     std::swap(scene.instances[0], scene.instances[1]);
     scene.instances[0]->worldFromObject[3].x = 5;
     scene.instances.push_back(instance(m, 0, 3));
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.instances()[0].index, 1u);
     EXPECT_EQ(motion.instances()[1].index, 0u);
     EXPECT_EQ(motion.instances()[2].index, NO_INDEX);
@@ -70,17 +70,17 @@ TEST(SceneMotion, KeepsTheVerticesOfDynamicMeshes) {
     Scene scene;
     scene.instances = {instance(m, 7, 0)};
     SceneMotion motion;
-    motion.remember(scene);
+    motion.remember(scene, makeLightTable(scene));
     m->positions[1].x = 100, ++m->revision;
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     ASSERT_NE(motion.positions()[0], nullptr);
     EXPECT_EQ(motion.positions()[0][1].x, 1);
-    motion.remember(scene);
-    motion.compare(scene);  // nothing moved since
+    motion.remember(scene, makeLightTable(scene));
+    motion.compare(scene, makeLightTable(scene));  // nothing moved since
     EXPECT_EQ(motion.positions()[0][1].x, 100);
     // Triangles that join other vertices say nothing about where corners were.
     ++m->revision, ++m->topologyRevision;
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 
@@ -88,13 +88,13 @@ TEST(SceneMotion, AnotherMeshUnderTheSameIdIsItsSuccessor) {
     Scene scene;
     scene.instances = {instance(mesh(MeshKind::dynamic, 4), 7, 0)};
     SceneMotion motion;
-    motion.remember(scene);
+    motion.remember(scene, makeLightTable(scene));
     scene.instances = {instance(mesh(MeshKind::dynamic, 5), 7, 0)};
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     ASSERT_NE(motion.positions()[0], nullptr);
     EXPECT_EQ(motion.positions()[0][0].x, 4);
     scene.instances = {instance(mesh(MeshKind::dynamic, 5, 2), 7, 0)};  // not of the same triangles
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 
@@ -102,9 +102,9 @@ TEST(SceneMotion, ForgetsOnDemand) {
     Scene scene;
     scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};
     SceneMotion motion;
-    motion.remember(scene);
+    motion.remember(scene, makeLightTable(scene));
     motion.forget();
-    motion.compare(scene);
+    motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 

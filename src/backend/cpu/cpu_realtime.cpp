@@ -27,6 +27,7 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     all.previousInstances = job.motion.instances().data();
     all.previousPositions = job.motion.positions().data();
     all.currentOfPrevious = job.motion.currentOfPrevious().data();
+    all.currentLightOfPrevious = job.motion.currentLightOfPrevious().data();
     all.pass = pass;
 
     const glm::uvec2 size = job.images.size[size_t(sizes[size_t(pass)])];

@@ -108,6 +108,7 @@ struct RealtimeTileJob {
     const shared::PreviousInstance* previousInstances;
     const glm::vec3* const* previousPositions;  // by instance
     const uint32_t* currentOfPrevious;
+    const uint32_t* currentLightOfPrevious;
     RealtimePass pass;
 };
 

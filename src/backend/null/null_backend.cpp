@@ -14,6 +14,10 @@ public:
     void update(const Scene&) override {}
     uint64_t accelerationBytes() const override { return 0; }
     uint64_t emissiveTriangles() const override { return 0; }
+    const LightTable& lights() const override { return none_; }
+
+private:
+    LightTable none_;
 };
 
 class NullBackend final : public Backend {
