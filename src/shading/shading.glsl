@@ -8,6 +8,7 @@
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
 #include "shading/sh.glsl"
+#include "shading/indirect_light.glsl"
 
 #include "shading/sampling/hash.glsl"
 #include "shading/sampling/sobol.glsl"
