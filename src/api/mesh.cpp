@@ -141,12 +141,15 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         gp::Mesh fresh;
         fresh.material = target.material;
         fill(fresh, *desc);
+        const bool joined = target.triangles == fresh.triangles &&
+                            target.positions.size() == fresh.positions.size();
         target.positions.swap(fresh.positions);
         target.triangles.swap(fresh.triangles);
         target.vertices.swap(fresh.vertices);
         target.uv1.swap(fresh.uv1);
         target.colors.swap(fresh.colors);
         ++target.revision;
+        if (!joined) ++target.topologyRevision;
         meshChanged(*object.device, target);
     });
 }

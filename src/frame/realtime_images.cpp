@@ -12,9 +12,9 @@ constexpr RealtimeImageInfo infos[] = {
 #undef X
 };
 
-// Images that the denoisers need for a moment, in memory that nothing else needs then: the colour is
-// composed when they are done, and what the last frame hit matters only before this one is lit. Not
-// any image that the temporal pass reads: it writes both of these.
+// Images that the denoisers need for a moment, in memory that nothing else needs then: the colour
+// is composed when they are done, and what the last frame hit matters only before this one is lit.
+// Not any image that the temporal pass reads: it writes both of these.
 struct Loan {
     RealtimeImage image, owner;
     bool previous;
@@ -51,7 +51,7 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
     for (size_t i = 0; i < realtimeImageCount; ++i) {
         if (infos[i].copies == 0) continue;
         const size_t bytes = pixels(views.size[size_t(infos[i].size)]) *
-                             bytesPerPixel(infos[i].format);
+                             gp::bytesPerPixel(infos[i].format);
         current[i].resize(bytes);
         views.current[i] = current[i].data();
         if (infos[i].copies < 2) continue;
@@ -82,6 +82,14 @@ uint64_t RealtimeImages::bytes() const {
     uint64_t sum = 0;
     for (size_t i = 0; i < realtimeImageCount; ++i) sum += current_[i].size() + previous_[i].size();
     return sum;
+}
+
+size_t RealtimeImages::bytesPerPixel() {
+    size_t full = 0, third = 0;
+    for (const RealtimeImageInfo& info : infos)
+        (info.size == RealtimeSize::THIRD ? third : full) +=
+            info.copies * gp::bytesPerPixel(info.format);
+    return full + (third + 8) / 9;
 }
 
 }  // namespace gp

@@ -48,6 +48,8 @@ public:
     const RealtimeViews& views() const { return views_; }
     glm::ivec2 size(RealtimeImage image) const;
     uint64_t bytes() const;
+    // Of all images together where output and full are of one size, rounded up.
+    static size_t bytesPerPixel();
 
 private:
     void lend();

@@ -24,8 +24,8 @@ float indirect_at_normal(vec4 moments, vec3 n0, vec3 n) {
     return max(moments.x * (0.5f + 0.5f * aligned) + (8.0f / 3.0f) * tangential, 0.0f);
 }
 
-// Light over albedo of a pixel with mapped normal n. `chroma`: Co and Cg as in shading/sh.glsl; it
-// grows and falls with the luma.
+// Light over albedo of a pixel with mapped normal n. `chroma`: its Co and Cg, which grow and fall
+// with the luma; never negative.
 vec3 indirect_relit(vec4 moments, vec2 chroma, vec3 n0, vec3 n) {
     ShLuma at_n0;
     at_n0.luma = moments;

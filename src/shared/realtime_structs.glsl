@@ -20,6 +20,22 @@ struct PixelMaterial {
     uint mirrors;   // reflected or refracted so often before this surface
 };
 
+// Where an instance was in the last frame.
+struct PreviousInstance {
+    vec4 world_from_object[3];
+    uint index;      // of the instance in the last frame; NO_INDEX: nothing is known
+    uint pad0;
+    uint pad1;
+    uint pad2;
+};
+
+// A triangle's corners as they were in the last frame, in the space of the mesh.
+struct PreviousCorners {
+    vec3 p0;
+    vec3 p1;
+    vec3 p2;
+};
+
 // gp::RealtimePlan and what a frame knows of the one before.
 struct RealtimeConstants {
     ivec2 size;              // of rays and denoising
@@ -29,8 +45,10 @@ struct RealtimeConstants {
     uint frame_index;        // grows by one a frame
     uint has_previous;       // 0: the first frame, or one after a cut
     uint mirror_limit;       // of reflections and refractions before the surface that is shown
-    uint resolves_gradients; // 1: some pixels repeat the last frame's draws
+    uint repeats_draws;      // 1: a pixel of each block repeats the draws of the last frame
+    uint previous_instances; // how many the last frame had
     float time_seconds;      // since the last frame
+    uint resolves;           // 1: anti-aliasing over time, or upscaling; 0: a copy
     uint pad0;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"

@@ -40,10 +40,11 @@ TEST(DenoiseRobustness, BadNumbersStayWhereTheyAre) {
             for (int frame = 0; frame < 6; ++frame) {
                 for (DenoiseScene* s : {&clean, &bad}) {
                     fillPlane(*s);
-                    s->constants.resolves_gradients = 0;
+                    s->constants.repeats_draws = 0;
                     if (s == &bad && frame == 4)
                         for (const RealtimeImage image :
-                             {RealtimeImage::direct, RealtimeImage::specular, RealtimeImage::indirect})
+                             {RealtimeImage::direct, RealtimeImage::specular,
+                              RealtimeImage::indirect})
                             setHalves(*s, image, p, bits, 4);
                     s->denoise(d);
                 }
@@ -76,7 +77,8 @@ TEST(DenoiseRobustness, BadGeometryIsNotFollowed) {
             SurfacePixel odd;
             odd.depth = bad[i];
             s.setSurface(ivec2(3 * i + 2, 5), odd);
-            setHalves(s, RealtimeImage::motion, ivec2(3 * i + 2, 9), i % 2 == 0 ? 0x7E00 : 0x7C00, 4);
+            const uint16_t bits = i % 2 == 0 ? 0x7E00 : 0x7C00;
+            setHalves(s, RealtimeImage::motion, ivec2(3 * i + 2, 9), bits, 4);
             SurfacePixel far;
             far.motion = vec4(bad[i], bad[5 - i], bad[i], bad[i]);
             s.setSurface(ivec2(3 * i + 2, 13), far);
@@ -92,14 +94,16 @@ TEST(DenoiseRobustness, BadGeometryIsNotFollowed) {
 }
 
 TEST(DenoiseRobustness, AnySizeWorks) {
-    for (const ivec2 size : {ivec2(1, 1), ivec2(2, 3), ivec2(1, 1000), ivec2(1000, 1), ivec2(7, 5)})
+    for (const ivec2 size :
+         {ivec2(1, 1), ivec2(2, 3), ivec2(1, 1000), ivec2(1000, 1), ivec2(7, 5)})
         for (const Denoiser d : all) {
             DenoiseScene s(size);
             for (int frame = 0; frame < 3; ++frame) {
                 s.forEach([&](ivec2 p) {
                     s.setSurface(p, {});
                     LightPixel l;
-                    l.direct = vec3(2), l.indirect = vec4(3, 0, 0, 1), l.specular = vec4(4, 4, 4, 1);
+                    l.direct = vec3(2), l.specular = vec4(4, 4, 4, 1);
+                    l.indirect = vec4(3, 0, 0, 1);
                     l.chroma = vec2(0.25f, -0.5f);
                     s.setLight(p, l);
                 });
@@ -183,7 +187,7 @@ TEST(DenoiseRobustness, InstructionSetsAgree) {
     const auto compare = [&](const cpu::DenoiseKernels& kernels, const char* name) {
         const auto other = resultsOf(2, 8, kernels, Denoiser::asvgf);
         for (size_t i = 0; i < plain.size(); ++i)  // eight frames of rounded halves, multiply-adds
-            ASSERT_NEAR(plain[i], other[i], 0.01f * (1.0f + std::abs(plain[i]))) << name << " " << i;
+            ASSERT_NEAR(plain[i], other[i], 0.01f * (1.0f + std::abs(plain[i]))) << name << i;
     };
     compare(cpu::denoise::kernelsAvx2, "avx2");
     if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))

@@ -56,7 +56,7 @@ struct DenoiseScene {
     explicit DenoiseScene(ivec2 size) {
         memory.resize(size, size);
         constants.size = size, constants.output_size = size;
-        constants.resolves_gradients = 1;
+        constants.repeats_draws = 1;
 #define X(name, initial, minimum, maximum, text) constants.name = initial;
 #include "shared/denoiser_parameters.def"
 #undef X
@@ -84,7 +84,8 @@ struct DenoiseScene {
         images.store_indirect(p, l.indirect);
         images.store_indirect_chroma(p, l.chroma);
         images.store_specular(p, l.specular);
-        images.store_luma(p, vec4(luminance(l.direct), l.indirect.x, luminance(vec3(l.specular)), 0));
+        const float specular = luminance(vec3(l.specular));
+        images.store_luma(p, vec4(luminance(l.direct), l.indirect.x, specular, 0));
     }
 
     // One pixel of every block repeats its own draws of the last frame: in each frame another one,
@@ -103,7 +104,7 @@ struct DenoiseScene {
             }
     }
     bool isRepeated(ivec2 p) const {
-        return constants.has_previous != 0 && constants.resolves_gradients != 0 &&
+        return constants.has_previous != 0 && constants.repeats_draws != 0 &&
                p == repeatedPixel(p / 3);
     }
 
@@ -153,7 +154,8 @@ struct Statistics {
 };
 
 // Over the pixels for which `value` is a number.
-inline Statistics statisticsOf(const DenoiseScene& scene, const std::function<float(ivec2)>& value) {
+inline Statistics statisticsOf(const DenoiseScene& scene,
+                               const std::function<float(ivec2)>& value) {
     double sum = 0, squares = 0, count = 0;
     scene.forEach([&](ivec2 p) {
         const double v = value(p);

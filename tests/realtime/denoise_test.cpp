@@ -48,6 +48,44 @@ TEST(Denoise, AverageOfStaticLightConverges) {
     EXPECT_NEAR(variance[0] / variance[1], 4, 0.8);
 }
 
+// Whoever chooses what is repeated may look at it: RTGL1 and Q2RTX take the brightest of a block.
+TEST(Denoise, RepeatedPixelsDoNotBrightenTheMean) {
+    DenoiseScene s(ivec2(96, 64));
+    std::vector<LightPixel> last(96 * 64), now(96 * 64);
+    const auto index = [](ivec2 p) { return size_t(p.y * 96 + p.x); };
+    for (uint frame = 0; frame < 32; ++frame) {
+        s.forEach([&](ivec2 p) { now[index(p)] = sparks(p, frame, 1); });
+        for (int y = 0; y < 22; ++y)
+            for (int x = 0; x < 32; ++x) {
+                ivec2 best(3 * x, 3 * y);
+                const int rows = std::min(3, 64 - 3 * y);
+                for (int i = 0; i < 3 * rows; ++i) {
+                    const ivec2 p(3 * x + i % 3, 3 * y + i / 3);
+                    if (last[index(p)].direct.x + last[index(p)].indirect.x >
+                        last[index(best)].direct.x + last[index(best)].indirect.x)
+                        best = p;
+                }
+                if (frame > 0) now[index(best)] = last[index(best)];
+                s.images.store_gradient_sample(
+                    ivec2(x, y), uint(1 + best.x % 3 + 3 * (best.y % 3)) | uint(best.x) << 4 |
+                                     uint(best.y) << 18);
+            }
+        s.forEach([&](ivec2 p) {
+            s.setSurface(p, {});
+            s.setLight(p, now[index(p)]);
+        });
+        last = now;
+        s.denoise(Denoiser::asvgf);
+        s.next();
+    }
+    s.next();
+    // With them it would be 1.2 and more.
+    const auto direct = [&](ivec2 p) { return s.images.load_direct(p).x; };
+    const auto indirect = [&](ivec2 p) { return s.images.load_indirect(p).x; };
+    EXPECT_NEAR(statisticsOf(s, direct).mean, 1, 0.04);
+    EXPECT_NEAR(statisticsOf(s, indirect).mean, 1, 0.04);
+}
+
 TEST(Denoise, FilterRemovesNoiseOfOneFrame) {
     for (const Denoiser d : {Denoiser::asvgf, Denoiser::svgf, Denoiser::atrous}) {
         DenoiseScene s(ivec2(96, 64));
@@ -168,14 +206,16 @@ TEST(Denoise, LightThatStaysKeepsItsHistory) {
     s.next();
     const Statistics frames =
         statisticsOf(s, [&](ivec2 p) { return s.images.load_history_length(p).x * 255; });
-    EXPECT_NEAR(frames.mean, 40, 0.01);
-    EXPECT_NEAR(frames.variance, 0, 0.01);
+    // Of nine frames each pixel repeats one, which adds nothing.
+    EXPECT_GE(frames.mean, 35);
+    EXPECT_LE(frames.mean, 36);
+    EXPECT_LE(frames.variance, 0.25);
 }
 
 TEST(Denoise, HistoryFollowsTheMotion) {
     // A plane in parallel motion: what is at x now was at x - 3 + 0.5 in the last frame.
     DenoiseScene s(ivec2(90, 30));
-    s.constants.resolves_gradients = 0;
+    s.constants.repeats_draws = 0;
     for (uint frame = 0; frame < 20; ++frame) {
         s.forEach([&](ivec2 p) {
             SurfacePixel surface;
@@ -203,7 +243,7 @@ TEST(Denoise, HistoryFollowsTheMotion) {
 
 TEST(Denoise, DisocclusionForgets) {
     DenoiseScene s(ivec2(60, 30));
-    s.constants.resolves_gradients = 0;
+    s.constants.repeats_draws = 0;
     const auto frame = [&](int edge) {
         s.forEach([&](ivec2 p) {
             SurfacePixel surface;
@@ -232,6 +272,7 @@ TEST(Denoise, DisocclusionForgets) {
 
 TEST(Denoise, NoHistoryFlagAndCutForget) {
     DenoiseScene s(ivec2(12, 12));
+    s.constants.repeats_draws = 0;
     for (int i = 0; i < 4; ++i) {
         lightPlane(s, 1);
         s.denoise(Denoiser::svgf);
@@ -252,10 +293,10 @@ TEST(Denoise, NoHistoryFlagAndCutForget) {
 }
 
 TEST(Denoise, ReflectionsFollowTheirMirrorImage) {
-    // A floorless mirror straight ahead at 2 m; what it shows is 6 m before it, so 8 m away. The
-    // camera steps aside by 0.1 m: the image moves as a point at 8 m does, the surface as one at 2 m.
+    // A mirror straight ahead at 2 m; what it shows is 6 m before it, so 8 m away. The camera steps
+    // aside by 0.1 m: the image moves as a point at 8 m does, the surface as one at 2 m.
     DenoiseScene s(ivec2(120, 60));
-    s.constants.resolves_gradients = 0;
+    s.constants.repeats_draws = 0;
     s.constants.firefly_limit = 65504.0f;
     const float halfY = std::tan(0.5f * s.camera.verticalFov);
     const auto pixelsPerMetre = [&](float depth) { return 60.0f / (2.0f * halfY * depth); };
@@ -283,7 +324,7 @@ TEST(Denoise, ReflectionsFollowTheirMirrorImage) {
     for (int x = 10; x < 60; ++x) {
         const float seen = (float(x) + 0.5f - 60.0f) / pixelsPerMetre(8) + 1.5f;
         // Followed as a surface it would be smeared to its mean.
-        EXPECT_NEAR(s.images.load_specular(ivec2(x, 30)).x, 1.0f + 0.9f * std::sin(4.0f * seen), 0.15)
+        EXPECT_NEAR(s.images.load_specular(ivec2(x, 30)).x, 1 + 0.9f * std::sin(4 * seen), 0.15)
             << x;
         EXPECT_GT(s.images.load_history_length(ivec2(x, 30)).y * 255, 8) << x;
     }

@@ -1,7 +1,8 @@
-// The resource functions of src/kernels/realtime over plain buffers, enough for the GLSL compiler to
-// check every kernel. Images lie in three buffers by the type of their pixels, one after the other.
+// The resource functions of src/kernels/realtime over plain buffers, enough for the GLSL compiler
+// to check every kernel; those that trace rays also need kernel_resources.glsl.
 #include "shared/realtime_structs.glsl"
 #include "shading/camera.glsl"
+#include "shading/sampling/sampler.glsl"
 
 layout(std430, binding = 20) readonly buffer RealtimeBuffer {
     RealtimeConstants realtime_constants;
@@ -9,10 +10,23 @@ layout(std430, binding = 20) readonly buffer RealtimeBuffer {
     CameraParams camera_before;
 };
 layout(std430, binding = 21) buffer ImageBuffer { uint image_words[]; };
+layout(std430, binding = 22) readonly buffer PreviousBuffer {
+    PreviousInstance previous_instances[];
+};
+layout(std430, binding = 23) readonly buffer PreviousCornerBuffer {
+    PreviousCorners previous_corners[];
+};
+layout(std430, binding = 24) readonly buffer CurrentBuffer { uint current_of_previous[]; };
 
 RealtimeConstants load_realtime() { return realtime_constants; }
 CameraParams load_camera() { return camera_now; }
 CameraParams load_previous_camera() { return camera_before; }
+PreviousInstance load_previous_instance(uint i) { return previous_instances[i]; }
+PreviousCorners load_previous_corners(uint instance, uint primitive) {
+    return previous_corners[instance + primitive];
+}
+uint load_current_instance(uint previous) { return current_of_previous[previous]; }
+void note_draws(Sampler draws) {}
 
 #define VALUE_FLOAT1 float
 #define VALUE_UINT1 uint
@@ -54,7 +68,9 @@ uint pixel_index(ivec2 p, ivec2 size, uint copy) {
 
 // Each image as if it began where the buffer does: only the compiler looks.
 #define X(name, format, size, copies, meaning) \
-    VALUE_##format load_##name(ivec2 p) { return READ_##format(pixel_index(p, size_of_##size(), 0u)); } \
+    VALUE_##format load_##name(ivec2 p) { \
+        return READ_##format(pixel_index(p, size_of_##size(), 0u)); \
+    } \
     VALUE_##format load_previous_##name(ivec2 p) { \
         return READ_##format(pixel_index(p, size_of_##size(), 1u)); \
     } \

@@ -53,13 +53,22 @@ float depth_allowance(float depth, float slope, float distance, float tolerance)
     return slope * distance * tolerance + 0.002f * depth;
 }
 
-// What is kept of light that is many times brighter than all its neighbours and its past: one path's
-// luck. Where all is black and there is no past, sparse light is all that can be seen.
+// What is kept of light that is many times brighter than all its neighbours and its past: one
+// path's luck. Where all is black and there is no past, sparse light is all that can be seen.
 float firefly_part(float luma, float brightest, float frames) {
     LET_REF(RealtimeConstants) c = load_realtime();
     float most = brightest * c.firefly_limit;
     return luma > most && (brightest > 0.0f || frames > 0.0f) ? most / luma : 1.0f;
 }
+
+// Light of one frame, to be added to a history.
+struct NewLight {
+    vec3 light;
+    float luma;
+    float variance;   // of the luminance of the pixels around
+    float change;     // how much of the light is known to be new: 0..1
+    bool is_repeated; // it repeats the last frame's draws
+};
 
 // Light that was accumulated: w is the variance of one frame's luminance.
 struct Accumulated {
@@ -67,26 +76,46 @@ struct Accumulated {
     float frames;
 };
 
-// The mean over `frames` frames, of at most `limit`, and one more. `change` is how much of the
-// light is known to be new: 0..1; it shortens the history much and then gives the new frame more
-// weight, since a history of one colour must go at once.
-// Mean and variance as they come in. [West 1979, "Updating Mean and Variance Estimates"]
-// A first frame has no variance of its own; the one of its neighbours stands in, which leaves the
-// estimate without bias, as the expectation of later terms is the variance itself.
-Accumulated accumulate(vec3 light, float luma, vec4 history, float history_luma, float frames,
-                       float limit, float change, float spatial_variance) {
+// The share of the new frame in the mean of `frames`. Where light has changed much, the history is
+// of another light and goes at once.
+float new_share(float frames, float change) {
+    return mix(1.0f / frames, 1.0f, change);
+}
+
+// The frames of a history that are left if `change` of its light is new.
+float frames_kept(float frames, float change) {
     float kept = 1.0f - change;
     float kept2 = kept * kept;
     float kept4 = kept2 * kept2;
+    return frames * kept4 * kept4 * kept2;
+}
+
+// The mean over `frames` frames and one more, over `limit` at most.
+// Mean and variance as they come in. [West 1979, "Updating Mean and Variance Estimates"]
+// A first frame has no variance of its own; the one of its neighbours stands in, which leaves the
+// estimate without bias, as the expectation of later terms is the variance itself.
+// What repeats the last frame's draws says nothing new, unless light has changed; and of a block
+// the brightest is chosen for it, so that it would brighten the mean. It has no share.
+Accumulated accumulate(IN(NewLight) now, vec4 history, float history_luma, float frames,
+                       float limit) {
+    float before = frames_kept(frames, now.change);
+    bool is_old = now.is_repeated && before >= 1.0f;
     Accumulated a;
-    a.frames = min(frames * kept4 * kept4 * kept2 + 1.0f, limit);
-    float alpha = mix(1.0f / a.frames, 1.0f, change);
-    float difference = luma - history_luma;
-    float variance = (1.0f - alpha) * (history.w + alpha * difference * difference);
-    float alpha2 = alpha * alpha;
-    a.light = vec4(mix(vec3(history), light, alpha),
-                   mix(variance, spatial_variance, alpha2 * alpha2));
+    a.frames = min(is_old ? before : before + 1.0f, limit);
+    float share = is_old ? now.change : new_share(a.frames, now.change);
+    float difference = now.luma - history_luma;
+    float variance = (1.0f - share) * (history.w + share * difference * difference);
+    float share2 = share * share;
+    a.light = vec4(mix(vec3(history), now.light, share),
+                   mix(variance, now.variance, share2 * share2));
     return a;
+}
+
+// The pixel of a block (0..8) that repeats the last frame's draws; -1: none.
+int repeated_cell(ivec2 block) {
+    LET_REF(RealtimeConstants) c = load_realtime();
+    if (c.repeats_draws == 0u || c.has_previous == 0u) { return -1; }
+    return int(load_gradient_sample(block) & 15u) - 1;
 }
 
 // One over the difference of luminance that is noise, in iteration `i` of the filter: each halves

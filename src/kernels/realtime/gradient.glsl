@@ -19,11 +19,10 @@ void gradient_measure(ivec2 block, int) {
     vec4 change = vec4(0.0f);
     vec4 scale = vec4(0.0f);
     uint code = load_gradient_sample(block);
-    int cell = int(code & 15u) - 1;
+    int cell = repeated_cell(block);
     ivec2 here = ivec2(3 * block.x + cell % 3, 3 * block.y + cell / 3);
     ivec2 before = ivec2(int((code >> 4u) & 0x3FFFu), int(code >> 18u));
-    if (c.has_previous != 0u && c.resolves_gradients != 0u && cell >= 0 &&
-        pixel_is_inside(here, c.size) && pixel_is_inside(before, c.size)) {
+    if (cell >= 0 && pixel_is_inside(here, c.size) && pixel_is_inside(before, c.size)) {
         vec4 now = load_luma(here);
         vec4 then = load_previous_luma(before);
         change = abs(now - then);

@@ -1,5 +1,5 @@
-// The a-trous filter of indirect light (see atrous.glsl), over blocks with gaps of 1, 2, 4: up to 21
-// pixels away. Unmapped normals tell surfaces apart: the light has its directions with it, for any
+// The a-trous filter of indirect light (see atrous.glsl), over blocks with gaps of 1, 2, 4: up to
+// 21 pixels away. Unmapped normals tell surfaces apart: light has its directions with it, for any
 // normal near by. The first iteration also cuts blocks that are much brighter than those around.
 #ifndef GP_KERNELS_REALTIME_INDIRECT_FILTER_GLSL
 #define GP_KERNELS_REALTIME_INDIRECT_FILTER_GLSL

@@ -12,7 +12,8 @@ struct BlockLight {
     vec4 chroma;
 };
 
-// The pixel whose surface a block has: the middle if it is lit, else the first that is. x < 0: none.
+// The pixel whose surface a block has: the middle if it is lit, else the first that is; x < 0:
+// none.
 ivec2 block_pixel(ivec2 block) {
     LET_REF(RealtimeConstants) c = load_realtime();
     for (int i = 0; i < 9; ++i) {
@@ -40,7 +41,8 @@ BlockLight no_block_light() {
     return b;
 }
 
-BlockSum block_sum(ivec2 block, IN(EdgeTest) s) {
+// `without`: a pixel of the block that is left out.
+BlockSum block_sum(ivec2 block, IN(EdgeTest) s, int without) {
     LET_REF(RealtimeConstants) c = load_realtime();
     float allowance = c.history_depth * s.depth + 2.0f * s.slope;
     BlockSum sum;
@@ -50,7 +52,7 @@ BlockSum block_sum(ivec2 block, IN(EdgeTest) s) {
     sum.count = 0.0f;
     for (int i = 0; i < 9; ++i) {
         ivec2 at = ivec2(3 * block.x + i % 3, 3 * block.y + i / 3);
-        if (!pixel_is_inside(at, c.size)) { continue; }
+        if (i == without || !pixel_is_inside(at, c.size)) { continue; }
         if (((load_material(at) ^ s.material) & MATERIAL_SURFACE_BITS) != 0u) { continue; }
         if (!(abs(load_depth(at) - s.depth) <= allowance)) { continue; }
         if (dot(octahedral_decode(load_normal(at).y), s.normal) < c.history_normal) { continue; }
@@ -75,7 +77,9 @@ BlockSum block_sum(ivec2 block, IN(EdgeTest) s) {
 // The mean of the block's pixels, without what a firefly among them has too much, and the variance
 // of that mean. `before`: the luma of its history.
 BlockLight block_light(ivec2 block, IN(EdgeTest) s, float before, float frames) {
-    BlockSum sum = block_sum(block, s);
+    // What repeats the last frame's draws was chosen for its brightness, see accumulate.
+    BlockSum sum = block_sum(block, s, repeated_cell(block));
+    if (sum.count == 0.0f) { sum = block_sum(block, s, -1); }
     float most = sum.brightest.light.x;
     float part = sum.count > 2.0f ? firefly_part(most, max(sum.second, before), frames) : 1.0f;
     float scale = 1.0f / max(sum.count, 1.0f);
@@ -120,14 +124,20 @@ BlockLight block_history(vec2 position, IN(EdgeTest) s) {
 }
 
 // What accumulate does, for light with directions.
-BlockLight accumulate_block(IN(BlockLight) now, IN(BlockLight) history, float limit, float change) {
+BlockLight accumulate_block(IN(BlockLight) now, IN(BlockLight) history, float limit,
+                            float change) {
+    NewLight luma;
+    luma.light = vec3(now.light.x, 0.0f, 0.0f);
+    luma.luma = now.light.x;
+    luma.variance = now.chroma.w;
+    luma.change = change;
+    luma.is_repeated = false;
     vec4 before = vec4(history.light.x, 0.0f, 0.0f, history.chroma.w);
-    Accumulated a = accumulate(vec3(now.light.x, 0.0f, 0.0f), now.light.x, before, before.x,
-                               history.chroma.z, limit, change, now.chroma.w);
-    float alpha = mix(1.0f / a.frames, 1.0f, change);
+    Accumulated a = accumulate(luma, before, before.x, history.chroma.z, limit);
+    float share = new_share(a.frames, change);
     BlockLight sum;
-    sum.light = mix(history.light, now.light, alpha);
-    vec4 chroma = mix(history.chroma, now.chroma, alpha);
+    sum.light = mix(history.light, now.light, share);
+    vec4 chroma = mix(history.chroma, now.chroma, share);
     sum.chroma = vec4(chroma.x, chroma.y, a.frames, a.light.w);
     return sum;
 }

@@ -16,8 +16,16 @@ struct History {
     float specular_frames;
 };
 
-// The last frame's pixel shows the surface `s`, as far as one can see. Its normal is compared as it
-// is packed, unnormalised: the test is of squares.
+History no_history() {
+    History h;
+    h.direct = vec4(0.0f);
+    h.specular = vec4(0.0f);
+    h.direct_frames = 0.0f;
+    h.specular_frames = 0.0f;
+    return h;
+}
+
+// The last frame's pixel shows the surface `s`, as far as one can see.
 bool history_belongs(ivec2 at, IN(EdgeTest) s, float allowance) {
     LET_REF(RealtimeConstants) c = load_realtime();
     uint material = load_previous_material(at);
@@ -29,11 +37,7 @@ bool history_belongs(ivec2 at, IN(EdgeTest) s, float allowance) {
 // The mean of the four pixels around `position` that belong to the surface.
 History history_at(vec2 position, IN(EdgeTest) s, float moved) {
     LET_REF(RealtimeConstants) c = load_realtime();
-    History h;
-    h.direct = vec4(0.0f);
-    h.specular = vec4(0.0f);
-    h.direct_frames = 0.0f;
-    h.specular_frames = 0.0f;
+    History h = no_history();
     // Also false for motion that is not a number.
     if (!(position.x > -1.0f && position.y > -1.0f && position.x < float(c.size.x) &&
           position.y < float(c.size.y))) {
@@ -117,14 +121,26 @@ Neighbours load_neighbours(ivec2 pixel, IN(EdgeTest) s) {
 }
 
 
-Accumulated temporal_channel(vec3 light, vec4 history, float frames, float limit, float change,
-                             float brightest, float variance, int neighbours) {
+// `neighbours`: how many pixels `brightest` is of; of one alone nothing can be said.
+Accumulated temporal_channel(IN(NewLight) now, vec4 history, float frames, float limit,
+                             float brightest, int neighbours) {
     float before = luminance(vec3(history));
-    // Two neighbours at least, or nothing can be said.
-    float part = neighbours > 1 ? firefly_part(luminance(light), max(brightest, before), frames)
-                                : 1.0f;
-    vec3 calm = light * part;
-    return accumulate(calm, luminance(calm), history, before, frames, limit, change, variance);
+    NewLight calm = now;
+    calm.luma = luminance(now.light);
+    if (neighbours > 1) {
+        float part = firefly_part(calm.luma, max(brightest, before), frames);
+        calm.light *= part;
+        calm.luma *= part;
+    }
+    return accumulate(calm, history, before, frames, limit);
+}
+
+// How much of the light of a pixel's block has changed, as far as it is to end histories.
+vec4 load_change(ivec2 block) {
+    LET_REF(RealtimeConstants) c = load_realtime();
+    vec4 change = load_gradient(block);
+    return vec4(min(change.x * c.direct_antilag, 1.0f), min(change.y * c.indirect_antilag, 1.0f),
+                min(change.z * c.specular_antilag, 1.0f), 0.0f);
 }
 
 void temporal_filter(ivec2 pixel, int mode) {
@@ -144,27 +160,30 @@ void temporal_filter(ivec2 pixel, int mode) {
     s.slope = motion.w;
     s.normal = octahedral_decode(load_normal(pixel).y);
     Neighbours around = load_neighbours(pixel, s);
-    History h;
-    h.direct = vec4(0.0f);
-    h.specular = vec4(0.0f);
-    h.direct_frames = 0.0f;
-    h.specular_frames = 0.0f;
+    History h = no_history();
     if (mode != TEMPORAL_NONE && c.has_previous != 0u &&
         ((s.material >> 16u) & REALTIME_NO_HISTORY) == 0u) {
         h = load_history(pixel, s, motion, specular.w);
     }
+    ivec2 block = ivec2(pixel.x / 3, pixel.y / 3);
     vec4 change = vec4(0.0f);
     vec2 limit = vec2(c.svgf_history_frames);
     if (mode == TEMPORAL_ADAPTIVE) {
-        change = load_gradient(ivec2(pixel.x / 3, pixel.y / 3));
+        change = load_change(block);
         limit = vec2(c.direct_history_frames, c.specular_history_frames);
     }
-    Accumulated d = temporal_channel(vec3(direct), h.direct, h.direct_frames, limit.x,
-                                     min(change.x * c.direct_antilag, 1.0f), around.brightest.x,
-                                     around.variance.x, around.count);
-    Accumulated r = temporal_channel(vec3(specular), h.specular, h.specular_frames, limit.y,
-                                     min(change.z * c.specular_antilag, 1.0f),
-                                     around.brightest.y, around.variance.y, around.count);
+    NewLight now;
+    now.is_repeated = repeated_cell(block) == pixel.x % 3 + 3 * (pixel.y % 3);
+    now.light = vec3(direct);
+    now.variance = around.variance.x;
+    now.change = change.x;
+    Accumulated d = temporal_channel(now, h.direct, h.direct_frames, limit.x, around.brightest.x,
+                                     around.count);
+    now.light = vec3(specular);
+    now.variance = around.variance.y;
+    now.change = change.z;
+    Accumulated r = temporal_channel(now, h.specular, h.specular_frames, limit.y,
+                                     around.brightest.y, around.count);
     store_direct_other(pixel, d.light);
     store_specular_other(pixel, r.light);
     store_history_length(pixel, vec4(d.frames, r.frames, 0.0f, 0.0f) * (1.0f / 255.0f));

@@ -1,0 +1,19 @@
+// The three channels and the surfaces' albedos together again.
+// Resources: load_… of the G-buffer and the channels, store_color.
+#ifndef GP_KERNELS_REALTIME_COMPOSITE_GLSL
+#define GP_KERNELS_REALTIME_COMPOSITE_GLSL
+#include "shading/frame.glsl"
+#include "shading/indirect_light.glsl"
+
+void realtime_composite(ivec2 pixel) {
+    vec4 emission = load_emission(pixel);
+    uvec2 normals = load_normal(pixel);
+    vec3 diffuse = vec3(load_direct(pixel)) +
+                   indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel),
+                                  octahedral_decode(normals.y), octahedral_decode(normals.x));
+    vec3 color = vec3(emission) + vec3(load_albedo(pixel)) * diffuse +
+                 vec3(load_specular_albedo(pixel)) * vec3(load_specular(pixel));
+    store_color(pixel, vec4(max(color, vec3(0.0f)), emission.w));
+}
+
+#endif
