@@ -569,6 +569,22 @@ typedef enum GpAntiAliasing {
     GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
 } GpAntiAliasing;
 
+/* What makes a stable picture of noisy channels. */
+typedef enum GpDenoiser {
+    GP_DENOISER_ASVGF = 0,  /* mean over frames that ends where light changes, then over neighbours
+                               by their variance [Schied, Peters and Dachsbacher 2018] */
+    GP_DENOISER_SVGF = 1,   /* a mean over frames of fixed length [Schied et al. 2017] */
+    GP_DENOISER_ATROUS = 2, /* neighbours only, nothing over frames [Dammertz et al. 2010] */
+    GP_DENOISER_NONE = 3
+} GpDenoiser;
+
+/* A number of the denoisers, light reuse or anti-aliasing that is not to have its default:
+ * gpDescribeDenoisers lists them. */
+typedef struct GpDenoiserParameter {
+    const char* name;
+    float value;
+} GpDenoiserParameter;
+
 /* How a pixel's shadow ray chooses among the lights that are not directional.
  * [Bitterli et al. 2020, "ReSTIR"] */
 typedef enum GpLightReuse {
@@ -592,6 +608,9 @@ typedef struct GpRealtimeOptions {
                                1 the picture is scaled up over time; a change forgets history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
+    GpDenoiser denoiser;
+    const GpDenoiserParameter* parameters; /* those that are not here have their defaults */
+    uint32_t parameterCount;
     GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
@@ -677,6 +696,9 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
  * message names the nearest known one. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
+/* The denoisers by name, and all their parameters with name, default, range and meaning, as a JSON
+ * text; sizes as in gpDescribeScene. */
+GP_API GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed);
 /* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
  * Needs no device. */
 GP_API GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** meaning);

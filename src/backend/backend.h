@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "frame/denoise.h"
 #include "frame/eye_adaptation.h"
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
@@ -60,6 +61,8 @@ public:
                                  const std::atomic<bool>& cancel) = 0;
     // One pass of a real-time frame, over the whole of its images.
     virtual RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) = 0;
+    // The same of a denoiser.
+    virtual void runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) = 0;
     // How bright the output of a real-time frame is; a part of its pixels, evenly spread.
     virtual LuminanceHistogram luminanceHistogram(const RealtimeViews& images) = 0;
     // The tone-mapping pass of a real-time frame: `display` from its output.

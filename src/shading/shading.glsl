@@ -9,6 +9,7 @@
 #include "shading/colour.glsl"
 #include "shading/ycocg.glsl"
 #include "shading/sh.glsl"
+#include "shading/indirect_light.glsl"
 
 #include "shading/sampling/hash.glsl"
 #include "shading/sampling/sobol.glsl"

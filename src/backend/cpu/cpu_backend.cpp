@@ -30,6 +30,7 @@ struct InstructionSet {
     const IsaKernels* kernels;
     const LocalKernels* localKernels;
     const RealtimeKernels* realtimeKernels;
+    const DenoiseKernels* denoiseKernels;
     const char* embreeName;
     bool here;  // this processor has it
 };
@@ -41,9 +42,12 @@ std::vector<InstructionSet> instructionSets() {
     const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
                         __builtin_cpu_supports("avx512vl");
-    return {{&kernelsAvx512, &local::kernelsAvx512, &realtime::kernelsAvx512, "avx512", avx512},
-            {&kernelsAvx2, &local::kernelsAvx2, &realtime::kernelsAvx2, "avx2", avx2},
-            {&kernelsX86_64, &local::kernelsX86_64, &realtime::kernelsX86_64, "sse2", true}};
+    return {{&kernelsAvx512, &local::kernelsAvx512, &realtime::kernelsAvx512,
+             &denoise::kernelsAvx512, "avx512", avx512},
+            {&kernelsAvx2, &local::kernelsAvx2, &realtime::kernelsAvx2, &denoise::kernelsAvx2,
+             "avx2", avx2},
+            {&kernelsX86_64, &local::kernelsX86_64, &realtime::kernelsX86_64,
+             &denoise::kernelsX86_64, "sse2", true}};
 }
 
 InstructionSet chooseInstructionSet(const std::string& wanted) {
@@ -116,6 +120,7 @@ CpuBackend::CpuBackend(const BackendOptions& options)
     : kernels_(*chooseInstructionSet(options.instructionSet).kernels),
       localKernels_(*chooseInstructionSet(options.instructionSet).localKernels),
       realtimeKernels_(*chooseInstructionSet(options.instructionSet).realtimeKernels),
+      denoiseKernels_(*chooseInstructionSet(options.instructionSet).denoiseKernels),
       threads_(options.threads ? options.threads
                                : std::max(1u, std::thread::hardware_concurrency())),
       arena_(int(threads_)) {

@@ -5,6 +5,7 @@
 #include <xmmintrin.h>
 
 #include "backend/cpu/cpu_scene.h"
+#include "backend/cpu/denoise_kernels.h"
 
 namespace gp::cpu {
 
@@ -33,6 +34,7 @@ public:
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;
     RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) override;
+    void runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) override;
     LuminanceHistogram luminanceHistogram(const RealtimeViews& images) override;
     void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                          std::vector<glm::u8vec4>& display) override;
@@ -45,6 +47,7 @@ private:
     const IsaKernels& kernels_;
     const LocalKernels& localKernels_;
     const RealtimeKernels& realtimeKernels_;
+    const DenoiseKernels& denoiseKernels_;
     uint32_t threads_;
     tbb::task_arena arena_;
     std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end

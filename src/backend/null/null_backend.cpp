@@ -38,6 +38,7 @@ public:
     }
 
     RayCounts runRealtimePass(const RealtimeJob&, RealtimePass) override { return {}; }
+    void runDenoisePass(const RealtimeJob&, const DenoisePass&) override {}
     LuminanceHistogram luminanceHistogram(const RealtimeViews&) override { return {}; }
     void tonemapRealtime(const RealtimeViews&, float, Tonemap,
                          std::vector<glm::u8vec4>& display) override {

@@ -159,6 +159,7 @@ struct Kernels {
 using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
 
+#include "backend/cpu/isa/camera_params.h"
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"
 
