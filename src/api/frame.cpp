@@ -3,6 +3,7 @@
 
 #include "api/check.h"
 #include "api/frames.h"
+#include "frame/compose.h"
 
 namespace gp::api {
 
@@ -92,6 +93,7 @@ GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap) {
         const auto curve = gp::Tonemap(checkEnum(tonemap, 4, "tonemap"));
         checkRendered(f);
         f.device->backend->tonemap(ev, curve, f.images);
+        gp::drawOverlay(*f.device->backend, f.overlay, f.camera, f.images);
     });
 }
 

@@ -177,9 +177,21 @@ void note(FrameObject& frame, const SceneObject& scene, const RenderResult& resu
     s.accelerationBytes = scene.backendScene->accelerationBytes();
 }
 
+// What was drawn is drawn; the overlay alone may be wanted again.
+void useUpDraws(FrameObject& frame) {
+    frame.overlay.clear();
+    for (DrawCommand& draw : frame.draws)
+        if (draw.target == DrawTarget::overlay) frame.overlay.push_back(std::move(draw));
+    frame.draws.clear();
+    frame.drawElements = 0;
+    frame.statistics.frameBytes = frame.images.bytes();
+}
+
 // An exception in the middle leaves some pixels with more samples than others: empties the frame.
 void discard(FrameObject& frame) noexcept {
     std::fill(frame.images.sums.begin(), frame.images.sums.end(), PixelSums{});
+    frame.images.drawn = {};
+    frame.overlay.clear();
     const uint64_t bytes = frame.statistics.frameBytes;
     frame.statistics = {};
     frame.statistics.noise = -1;
@@ -201,6 +213,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     plan.height = frame.images.height;
     plan.camera = chooseCamera(scene->scene, camera, frame.images);
     checkAccumulation(frame, *scene, plan);
+    plan.draws = &frame.draws;
 
     std::atomic<bool>& cancel = *frame.device->cancel;
     cancel.store(false);
@@ -217,6 +230,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     frame.scene = scene;
     frame.sceneRevision = scene->scene.revision;
     frame.camera = plan.camera;
+    useUpDraws(frame);
     note(frame, *scene, result, secondsBuild);
     if (result.cancelled)
         fail(GP_ERROR_CANCELLED, "stopped at {} samples a pixel", result.samplesPerPixel);

@@ -41,8 +41,12 @@ public:
     virtual RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                                  uint32_t count, FrameImages& images,
                                  const std::atomic<bool>& cancel) = 0;
-    // The tone-mapping pass: images.display from images.sums.
+    // The tone-mapping pass: images.display from images.drawn, or images.sums where that is
+    // empty.
     virtual void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) = 0;
+    // Rasterised geometry into color or display, in this order; the same bits on any number of
+    // threads.
+    virtual void rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) = 0;
 };
 
 struct BackendOptions {

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <limits>
 
+#include "frame/compose.h"
+
 namespace gp {
 namespace {
 
@@ -54,7 +56,7 @@ public:
         result_.secondsRender = secondsSince(start_);
         result_.samplesPerPixel = samplesOfAll();
         result_.noise = estimateNoise(images_);
-        backend_.tonemap(plan_.exposureEv, plan_.tonemap, images_);
+        finishPicture(backend_, plan_, images_);
         return result_;
     }
 

@@ -7,6 +7,7 @@
 #include "shading/trigonometry.glsl"
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
+#include "shading/blending.glsl"
 #include "shading/sh.glsl"
 
 #include "shading/sampling/hash.glsl"

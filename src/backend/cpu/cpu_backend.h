@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include "backend/cpu/cpu_scene.h"
+#include "backend/cpu/raster_view.h"
 
 namespace gp::cpu {
 
@@ -18,6 +19,7 @@ public:
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;
     void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;
+    void rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) override;
 
     // For the benchmark: rays are noted here as they are traced; one thread only. Null: no more.
     void setRecorder(RayRecorder* recorder) { recorder_ = recorder; }
@@ -25,6 +27,7 @@ public:
 private:
     const IsaKernels& kernels_;
     const LocalKernels& localKernels_;
+    const RasterKernels& rasterKernels_;
     uint32_t threads_;
     tbb::task_arena arena_;
     std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end
