@@ -35,17 +35,22 @@ struct EdgePixel {
     glm::vec4 background;
 };
 
-// The frame does not keep what a pixel shows behind an edge; its neighbours tell.
+// The frame does not keep what a pixel shows behind an edge; the nearest pixels without an edge
+// tell. Edges are as wide as the pixel filter is: farther away there is no need to look.
 glm::vec4 backgroundNear(const glm::vec4* color, uint32_t width, uint32_t height, uint32_t x,
                          uint32_t y) {
-    glm::vec4 sum(0);
-    float count = 0;
-    for (uint32_t j = y > 0 ? y - 1 : 0; j < std::min(y + 2, height); ++j)
-        for (uint32_t i = x > 0 ? x - 1 : 0; i < std::min(x + 2, width); ++i) {
-            const glm::vec4& c = color[size_t(j) * width + i];
-            if (c.w == 0) sum += c, count += 1;
-        }
-    return count > 0 ? sum / count : glm::vec4(0);
+    constexpr uint32_t farthest = 4;
+    for (uint32_t reach = 1; reach <= farthest; ++reach) {
+        glm::vec4 sum(0);
+        float count = 0;
+        for (uint32_t j = y - std::min(y, reach); j <= std::min(y + reach, height - 1); ++j)
+            for (uint32_t i = x - std::min(x, reach); i <= std::min(x + reach, width - 1); ++i) {
+                const glm::vec4& c = color[size_t(j) * width + i];
+                if (c.w == 0) sum += c, count += 1;
+            }
+        if (count > 0) return sum / count;
+    }
+    return glm::vec4(0);
 }
 
 // The sky is drawn over an image of the background alone, whose change each pixel then gets a share

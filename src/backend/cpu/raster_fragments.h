@@ -52,16 +52,17 @@ inline void colorRun(Run& run, const RasterTriangle& t, const RasterDraw& draw, 
                      double x, double y) {
     float* channels[4] = {run.r, run.g, run.b, run.a};
     for (int c = 0; c < 4; ++c) {
-        alignas(64) float vertex[runLength];
-        if (t.oneColor) {
-            std::fill_n(vertex, runLength, float(t.color[c].at) * draw.color[c]);
-        } else {
-            interpolate(vertex, t.color[c], t, run, x, y);
-            const float most = c == 3 ? 1.0f : FLOAT_MAX;
-            for (uint32_t i = 0; i < runLength; ++i)
-                vertex[i] = blend_limited(vertex[i], most) * draw.color[c];
-        }
         float* out = channels[c];
+        if (t.oneColor) {
+            const float one = float(t.color[c].at) * draw.color[c];
+            for (uint32_t i = 0; i < runLength; ++i) out[i] = texels ? out[i] * one : one;
+            continue;
+        }
+        alignas(64) float vertex[runLength];
+        interpolate(vertex, t.color[c], t, run, x, y);
+        const float most = c == 3 ? 1.0f : FLOAT_MAX;
+        for (uint32_t i = 0; i < runLength; ++i)
+            vertex[i] = blend_limited(vertex[i], most) * draw.color[c];
         if (texels)
             for (uint32_t i = 0; i < runLength; ++i) out[i] *= vertex[i];
         else
@@ -119,10 +120,19 @@ struct AnyBlend {
     BlendState state() const { return s; }
 };
 
+// Most runs are whole: a copy of known size is a few instructions.
+template <class T>
+inline void copyPixels(T* to, const T* from, uint32_t count) {
+    if (count == runLength)
+        std::memcpy(to, from, runLength * sizeof(T));
+    else
+        std::memcpy(to, from, count * sizeof(T));
+}
+
 template <class Image, class Blend>
 inline void blendRun(const Blend& blend, const Run& run, typename Image::Pixel* pixels) {
     alignas(64) typename Image::Pixel held[runLength];
-    std::memcpy(held, pixels, run.count * sizeof held[0]);
+    copyPixels(held, pixels, run.count);
     const BlendState state = blend.state();
     for (uint32_t i = 0; i < runLength; ++i) {
         const vec4 there = Image::load(held[i]);
@@ -131,7 +141,7 @@ inline void blendRun(const Blend& blend, const Run& run, typename Image::Pixel* 
         const auto stored = Image::store(c);
         held[i] = run.pass[i] != 0 ? stored : held[i];
     }
-    std::memcpy(pixels, held, run.count * sizeof held[0]);
+    copyPixels(pixels, held, run.count);
 }
 
 template <class Image>

@@ -39,37 +39,35 @@ inline vec4 sampleLevels(const TextureView& t, const Levels& levels, bool magnif
 
 // ------------------------------------------------------------------- eight bits, bilinear, a run
 
-// wrapTexel for indices within one size of the image, without branches and remainders.
-inline int wrapNear(int i, int n, uint8_t wrap) {
-    if (wrap == 1) return std::min(std::max(i, 0), n - 1);
-    if (wrap == 2) {
-        i = i < 0 ? -1 - i : i;
-        i = i >= 2 * n ? i - 2 * n : i;
-        return i >= n ? 2 * n - 1 - i : i;
-    }
-    i = i < 0 ? i + n : i;
-    i = i >= n ? i - n : i;
-    return i >= n ? i - n : i;
-}
-
 // Along one side: the texels on both sides of each coordinate, and the share of the second.
 struct TexelPairs {
     alignas(64) int first[runLength], second[runLength];
     alignas(64) float share[runLength];
 };
+
+// wrapTexel without branches and remainders, for coordinates that were brought close before.
 template <uint8_t wrap>
 inline void texelPairs(TexelPairs& out, const float* coordinates, int size) {
+    const int last = size - 1;
     for (uint32_t i = 0; i < runLength; ++i) {
         float u = coordinates[i];
-        if (wrap != 1) u -= 2.0f * std::floor(0.5f * u);
+        if (wrap == 0) u -= std::floor(u);
+        if (wrap == 2) u -= 2.0f * std::floor(0.5f * u);
         u = u > -1.0f ? u : -1.0f;  // NaN becomes a number too
         u = u < 2.0f ? u : 2.0f;
         const float at = u * float(size) - 0.5f;
         const float below = std::floor(at);
-        const int texel = int(below);
+        int first = int(below), second = int(below) + 1;
         out.share[i] = at - below;
-        out.first[i] = wrapNear(texel, size, wrap);
-        out.second[i] = wrapNear(texel + 1, size, wrap);
+        if (wrap == 0) {
+            first = first < 0 ? last : first;
+            second = second > last ? 0 : second;
+        } else if (wrap == 2) {
+            first = first > last ? 2 * size - 1 - first : first;
+            second = second > last ? 2 * size - 1 - second : second;
+        }
+        out.first[i] = std::min(std::max(first, 0), last);
+        out.second[i] = std::min(std::max(second, 0), last);
     }
 }
 inline void texelPairs(TexelPairs& out, const float* coordinates, int size, uint8_t wrap) {
@@ -78,12 +76,11 @@ inline void texelPairs(TexelPairs& out, const float* coordinates, int size, uint
     texelPairs<0>(out, coordinates, size);
 }
 
-// One channel of a packed texel as it is decoded.
+// One channel of a packed texel: decoded, or 0..255.
 template <int channel, bool srgb>
 inline float channelOf(uint32_t texel) {
     const int byte = int((texel >> (8 * channel)) & 255u);
-    if constexpr (srgb && channel < 3) return decodeTables.srgb[byte];
-    return float(byte) * (1.0f / 255.0f);
+    return srgb ? decodeTables.srgb[byte] : float(byte);
 }
 
 struct TexelCorners {
@@ -98,7 +95,7 @@ inline void mixCorners(float* out, const TexelCorners& t, const TexelPairs& x,
                               x.share[i]);
         const float low = mix(channelOf<channel, srgb>(t.c01[i]), channelOf<channel, srgb>(t.c11[i]),
                               x.share[i]);
-        out[i] = mix(top, low, y.share[i]);
+        out[i] = mix(top, low, y.share[i]) * (srgb ? 1.0f : 1.0f / 255.0f);
     }
 }
 
@@ -132,28 +129,54 @@ inline void putTexel(Run& run, uint32_t i, const vec4& c) {
     run.r[i] = c.x, run.g[i] = c.y, run.b[i] = c.z, run.a[i] = c.w;
 }
 
-// The texels of a run at its u and v into its colour.
-inline void textureRun(Run& run, const RasterTriangle& t, const RasterDraw& draw) {
-    const TextureView& texture = draw.texture;
-    const bool detailed = texture.levelCount > 1 || texture.magNearest != texture.minNearest;
-    const bool oneLevel = t.parallel || !detailed;
-    const float lod =
-        oneLevel && detailed ? levelOfDetail(t, texture, run.u[0], run.v[0], 1.0f) : 0.0f;
-    const Levels levels = levelsOf(texture, lod);
-    const bool nearest = lod > 0.0f ? texture.minNearest : texture.magNearest;
-    if (oneLevel && !nearest && !texture.isFloat && levels.share == 0.0f) {
-        sampleBytes(texture, levels.first, run);
-    } else {
-        for (uint32_t i = 0; i < run.count; ++i) {
-            const float own =
-                oneLevel ? lod : levelOfDetail(t, texture, run.u[i], run.v[i], run.w[i]);
-            putTexel(run, i, sampleLevels(texture, levelsOf(texture, own), !(own > 0.0f),
-                                          vec2(run.u[i], run.v[i])));
-        }
-    }
-    if (!draw.encodeTexels) return;
+inline void encodeRun(Run& run) {
     for (uint32_t i = 0; i < run.count; ++i) {
         const vec3 c = clamp(vec3(run.r[i], run.g[i], run.b[i]), vec3(0.0f), vec3(1.0f));
         putTexel(run, i, vec4(srgb_encode(c), run.a[i]));
     }
+}
+
+// Both levels of 8-bit texels, bilinear; shares as levelsOf tells for each pixel.
+inline void sampleByteLevels(const TextureView& t, const Levels& levels, const float* lod,
+                             Run& run) {
+    sampleBytes(t, levels.first, run);
+    if (levels.first == levels.second) return;
+    Run second = run;
+    sampleBytes(t, levels.second, second);
+    for (uint32_t i = 0; i < runLength; ++i) {
+        const float share = lod[i] - float(levels.first);
+        run.r[i] = mix(run.r[i], second.r[i], share), run.g[i] = mix(run.g[i], second.g[i], share);
+        run.b[i] = mix(run.b[i], second.b[i], share), run.a[i] = mix(run.a[i], second.a[i], share);
+    }
+}
+
+// The texels of a run at its u and v into its colour. The level of detail is computed at the ends
+// of the run and is nearly linear between them.
+inline void textureRun(Run& run, const RasterTriangle& t, const RasterDraw& draw) {
+    const TextureView& texture = draw.texture;
+    alignas(64) float lod[runLength] = {};
+    const bool detailed = texture.levelCount > 1 || texture.magNearest != texture.minNearest;
+    float begin = 0, end = 0;
+    if (detailed) {
+        const auto detailAt = [&](uint32_t i) {
+            const float w = t.parallel ? 1.0f : run.w[i];
+            return std::max(levelOfDetail(t, texture, run.u[i], run.v[i], w), -1.0f);
+        };
+        const uint32_t last = run.count - 1;
+        begin = end = detailAt(0);
+        if (!t.parallel && last > 0) end = detailAt(last);
+        const float step = last > 0 ? (end - begin) / float(last) : 0.0f;
+        for (uint32_t i = 0; i < runLength; ++i) lod[i] = begin + step * float(i);
+    }
+    const Levels first = levelsOf(texture, begin), second = levelsOf(texture, end);
+    const bool magnified = !(begin > 0.0f), sameSide = magnified == !(end > 0.0f);
+    const bool nearest = magnified ? texture.magNearest : texture.minNearest;
+    if (sameSide && first.first == second.first && first.second == second.second && !nearest &&
+        !texture.minNearest && !texture.isFloat)
+        sampleByteLevels(texture, first, lod, run);
+    else
+        for (uint32_t i = 0; i < run.count; ++i)
+            putTexel(run, i, sampleLevels(texture, levelsOf(texture, lod[i]), !(lod[i] > 0.0f),
+                                          vec2(run.u[i], run.v[i])));
+    if (draw.encodeTexels) encodeRun(run);
 }
