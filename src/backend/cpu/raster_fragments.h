@@ -1,5 +1,5 @@
-// What happens to the pixels of a run: part of the hot code, included inside an unnamed namespace by
-// isa/raster.inc only. Every step is a loop of fixed length without branches between pixels, so
+// What happens to the pixels of a run: part of the hot code, included inside an unnamed namespace
+// by isa/raster.inc only. Every step is a loop of fixed length without branches between pixels, so
 // that the compiler makes vectors of it; lanes past `count` hold anything.
 
 constexpr uint32_t runLength = 16;

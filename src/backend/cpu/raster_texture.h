@@ -91,10 +91,10 @@ template <int channel, bool srgb>
 inline void mixCorners(float* out, const TexelCorners& t, const TexelPairs& x,
                        const TexelPairs& y) {
     for (uint32_t i = 0; i < runLength; ++i) {
-        const float top = mix(channelOf<channel, srgb>(t.c00[i]), channelOf<channel, srgb>(t.c10[i]),
-                              x.share[i]);
-        const float low = mix(channelOf<channel, srgb>(t.c01[i]), channelOf<channel, srgb>(t.c11[i]),
-                              x.share[i]);
+        const auto across = [&](uint32_t left, uint32_t right) {
+            return mix(channelOf<channel, srgb>(left), channelOf<channel, srgb>(right), x.share[i]);
+        };
+        const float top = across(t.c00[i], t.c10[i]), low = across(t.c01[i], t.c11[i]);
         out[i] = mix(top, low, y.share[i]) * (srgb ? 1.0f : 1.0f / 255.0f);
     }
 }
