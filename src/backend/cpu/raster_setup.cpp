@@ -59,12 +59,15 @@ struct PlaneMaker {
 PlaneMaker planeMaker(const Corner* c, int64_t area) {
     constexpr double subPixel = 1 / double(subPixels);
     PlaneMaker m;
-    double longest = 0;
+    double longestSquared = 0;
     for (int i = 0; i < 3; ++i) {
         const Corner& next = c[(i + 1) % 3];
-        longest = std::max(longest, std::hypot(double(next.x - c[i].x), double(next.y - c[i].y)));
+        const double dx = double(next.x - c[i].x), dy = double(next.y - c[i].y);
+        longestSquared = std::max(longestSquared, dx * dx + dy * dy);
     }
-    const bool thin = double(area) < longest * double(subPixels);
+    // Less than a pixel high over its longest side.
+    const bool thin =
+        double(area) * double(area) < longestSquared * double(subPixels * subPixels);
     for (int i = 0; i < 3; ++i) {
         m.x[i] = thin ? double(c[i].x) * subPixel : c[i].px;
         m.y[i] = thin ? double(c[i].y) * subPixel : c[i].py;
