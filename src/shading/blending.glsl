@@ -81,9 +81,9 @@ bool depth_test_passes(uint test, float depth, float held) {
     return test == DEPTH_ALWAYS;
 }
 
-// The level of detail of a texture of `texels` (width, height) whose coordinates change by `d_dx` and
-// `d_dy` from pixel to pixel: log2 of the longer side. -infinity where nothing changes.
-// [OpenGL 2.1 specification, section 3.8.8, equations 3.17 and 3.18]
+// The level of detail of a texture of `texels` (width, height) whose coordinates change by `d_dx`
+// and `d_dy` from pixel to pixel: log2 of the longer side. -infinity where nothing changes.
+// [OpenGL 2.1 specification, section 3.8.8]
 float texture_level_of_detail(vec2 d_dx, vec2 d_dy, vec2 texels) {
     vec2 x = d_dx * texels;
     vec2 y = d_dy * texels;

@@ -109,7 +109,8 @@ Rows stateRows() {
         drawRow("a viewport without height", GP_ERROR_OUT_OF_RANGE, "viewport is 4 x 0 pixels",
                 [](World&, GpDrawDesc& d) { d.viewport[2] = 4; }),
         drawRow("a texture of another device", GP_ERROR_INVALID_HANDLE,
-                "texture belongs to another", [](World& w, GpDrawDesc& d) { d.texture = w.foreign.texture; }),
+                "texture belongs to another",
+                [](World& w, GpDrawDesc& d) { d.texture = w.foreign.texture; }),
         drawRow("a texture that was released", GP_ERROR_INVALID_HANDLE, "texture was released",
                 [](World& w, GpDrawDesc& d) { d.texture = w.released.texture; }),
     };

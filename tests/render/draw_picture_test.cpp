@@ -1,6 +1,6 @@
-// A user interface over a path-traced box, as a game would draw it: every pixel of the picture is
-// what OpenGL's formula makes of the picture without it. Leaves draw_picture.png in the build folder
-// to look at.
+// A user interface over a path-traced box, as a game would draw it: pixels of the picture are what
+// OpenGL's formula makes of the picture without it. Leaves draw_picture.png in the build folder, to
+// look at.
 #include <cmath>
 #include <cstring>
 

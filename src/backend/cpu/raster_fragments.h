@@ -19,7 +19,7 @@ inline void interpolateLinear(float* out, const RasterPlane& p, double x, double
     for (uint32_t i = 0; i < runLength; ++i) out[i] = at + step * float(i);
 }
 
-// [OpenGL 2.1 specification, section 3.5.1, equation 3.6]: attributes over w, times w.
+// [OpenGL 2.1 specification, section 3.5.1]: attributes over w, times w.
 inline void interpolate(float* out, const RasterPlane& p, const RasterTriangle& t, const Run& run,
                         double x, double y) {
     interpolateLinear(out, p, x, y);

@@ -78,7 +78,7 @@ PlaneMaker planeMaker(const Corner* c, int64_t area) {
 }
 
 // Edges that are no left or top edge leave out the pixels that they hit exactly.
-// [Direct3D 11.3 functional specification, section 3.4.2.1, top-left rule]
+// [Direct3D 11.3 functional specification, "Top-Left Rule"]
 void setUpEdges(RasterTriangle& t, const Corner* c) {
     constexpr int64_t centre = subPixels / 2;
     for (int i = 0; i < 3; ++i) {

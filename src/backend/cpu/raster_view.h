@@ -6,7 +6,7 @@
 namespace gp::cpu {
 
 // Pixels are cut into 256 parts on each side: positions on this grid are exact, and so is what
-// covers a pixel. [Direct3D 11.3 functional specification, section 3.2.4.1: 8 fractional bits]
+// covers a pixel. [Direct3D 11.3 functional specification, "Coordinate Snapping"]
 constexpr int64_t subPixels = 256;
 
 // What is interpolated, over the centres of pixels: at + dx x + dy y. Double: a floor that runs

@@ -48,6 +48,7 @@ private:
     void drawGroup() {
         const auto setUp = [&](size_t i) {
             Slice& s = slices_[i];
+            s.triangles.reserve(s.count);
             setUpTriangles(draws_[s.draw], s.draw, s.first, s.count, s.triangles);
         };
         if (slices_.size() > 1)
