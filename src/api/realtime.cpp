@@ -119,11 +119,12 @@ void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
     plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }
 
-void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan) {
+RealtimeResult renderRealtime(FrameObject& frame, SceneObject& scene,
+                              const RealtimePlan& plan) {
     std::atomic<bool>& cancel = *frame.device->cancel;
     const RealtimeResult result =
         frame.realtime->render(*frame.device->backend, *scene.backendScene, scene.scene, plan,
-                               frame.images.display, cancel);
+                               frame.images, cancel);
     GpFrameStatistics& s = frame.statistics;
     s.samplesPerPixel = 1;
     s.cameraRays = result.rays.camera;
@@ -134,11 +135,12 @@ void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& 
     s.accelerationBytes = scene.backendScene->accelerationBytes();
     frame.passes = result.passes;
     frame.rendered = !result.cancelled;
-    if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
+    return result;
 }
 
 void readImage(const FrameObject& frame, FrameImage which, void* pixels) {
-    if (!frame.realtime || which == FrameImage::display) {
+    const bool drawn = which == FrameImage::color && !frame.images.drawn.empty();
+    if (!frame.realtime || which == FrameImage::display || drawn) {
         readFrameImage(frame.images, which, pixels);
         return;
     }

@@ -68,8 +68,12 @@ public:
     // The tone-mapping pass of a real-time frame: `display` from its output.
     virtual void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                                  std::vector<glm::u8vec4>& display) = 0;
-    // The tone-mapping pass: images.display from images.sums.
+    // The tone-mapping pass: images.display from images.drawn, or images.sums where that is
+    // empty.
     virtual void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) = 0;
+    // Rasterised geometry into color or display, in this order; the same bits on any number of
+    // threads.
+    virtual void rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) = 0;
 };
 
 struct BackendOptions {

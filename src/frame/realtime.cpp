@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "frame/compose.h"
+#include "frame/realtime_read.h"
+
 namespace gp {
 namespace {
 
@@ -65,8 +68,7 @@ void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
 // The frame from top to bottom.
 RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backendScene,
                                      const Scene& scene, const RealtimePlan& plan,
-                                     std::vector<glm::u8vec4>& display,
-                                     std::atomic<bool>& cancel) {
+                                     FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
     resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
@@ -123,7 +125,16 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     if (plan.eye.seconds > 0)
         result.exposureEv += eye_.see(backend.luminanceHistogram(images_.views()), plan.eye,
                                       plan.timeStep);
-    backend.tonemapRealtime(images_.views(), result.exposureEv, frame.tonemap, display);
+    // What is drawn is no part of what the next frame goes on from.
+    finishPicture(backend, frame, result.exposureEv,
+                  {[&](FrameImage which, void* pixels) {
+                       readRealtimeImage(images_, which, pixels);
+                   },
+                   [&](float ev) {
+                       backend.tonemapRealtime(images_.views(), ev, frame.tonemap,
+                                               picture.display);
+                   }},
+                  picture);
     result.passes.push_back({"display", millisecondsSince(displayStart)});
 
     result.cancelled = cancel.load();

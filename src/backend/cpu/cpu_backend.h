@@ -6,6 +6,7 @@
 
 #include "backend/cpu/cpu_scene.h"
 #include "backend/cpu/denoise_kernels.h"
+#include "backend/cpu/raster_view.h"
 
 namespace gp::cpu {
 
@@ -39,6 +40,7 @@ public:
     void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                          std::vector<glm::u8vec4>& display) override;
     void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;
+    void rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) override;
 
     // For the benchmark: rays are noted here as they are traced; one thread only. Null: no more.
     void setRecorder(RayRecorder* recorder) { recorder_ = recorder; }
@@ -48,6 +50,7 @@ private:
     const LocalKernels& localKernels_;
     const RealtimeKernels& realtimeKernels_;
     const DenoiseKernels& denoiseKernels_;
+    const RasterKernels& rasterKernels_;
     uint32_t threads_;
     tbb::task_arena arena_;
     std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end

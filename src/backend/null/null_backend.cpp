@@ -48,6 +48,7 @@ public:
     void tonemap(float, Tonemap, FrameImages& images) override {
         std::fill(images.display.begin(), images.display.end(), glm::u8vec4(0, 0, 0, 255));
     }
+    void rasterize(const DrawImages&, const std::vector<PlacedDraw>&) override {}
 };
 
 }  // namespace

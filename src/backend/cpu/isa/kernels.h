@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "backend/cpu/scene_view.h"
+#include "frame/camera_params.h"
 #include "scene/camera.h"
 #include "shading/shading.h"
 
