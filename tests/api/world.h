@@ -122,5 +122,6 @@ Rows frameRows();
 Rows renderRows();
 Rows imageRows();
 Rows bsdfRows();
+Rows changeRows();
 
 }  // namespace gp::test
