@@ -142,6 +142,8 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         gp::Mesh fresh;
         fresh.material = target.material;
         fill(fresh, *desc);
+        const bool joined = target.triangles == fresh.triangles &&
+                            target.positions.size() == fresh.positions.size();
         target.positions.swap(fresh.positions);
         target.triangles.swap(fresh.triangles);
         target.vertices.swap(fresh.vertices);
@@ -152,6 +154,7 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         target.options = fresh.options;
         target.tangentsGenerated = fresh.tangentsGenerated;
         ++target.revision;
+        if (!joined) ++target.topologyRevision;
         meshChanged(*object.device, target);
     });
 }

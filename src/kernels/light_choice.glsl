@@ -28,6 +28,10 @@ struct LightGroups {
     float environment;
     float directional;
     float tree;
+    float sum;              // of those that a shadow ray chooses among
+    float directional_sum;  // the same of the shadow ray that may choose directional lights
+    uint resampled;         // 1: lights that are not directional come from a reservoir, and weights
+                            // between techniques leave out how probable each light was
 };
 
 float directional_importance(IN(LightRecord) record, vec3 normal) {
@@ -73,6 +77,31 @@ LightGroups light_groups(vec3 p, vec3 normal) {
                      ? clamp(importance, 0.1f * others, 10.0f * others)
                      : importance;
     }
+    g.sum = g.environment + g.directional + g.tree;
+    g.directional_sum = g.sum;
+    g.resampled = 0u;
+    return g;
+}
+
+// With a shadow ray for directional lights and another for all else.
+LightGroups light_groups_apart(IN(LightGroups) g) {
+    LightGroups apart = g;
+    apart.sum = g.environment + g.tree;
+    apart.directional_sum = g.directional;
+    return apart;
+}
+
+LightGroups light_groups_directional(IN(LightGroups) apart) {
+    LightGroups g = apart;
+    g.environment = 0.0f;
+    g.tree = 0.0f;
+    g.sum = apart.directional_sum;
+    return g;
+}
+
+LightGroups light_groups_others(IN(LightGroups) apart) {
+    LightGroups g = apart;
+    g.directional = 0.0f;
     return g;
 }
 
@@ -81,10 +110,6 @@ uint light_group(uint light) {
     LET_REF(FrameConstants) f = load_frame();
     if (light == LIGHT_ENVIRONMENT) { return 0u; }
     return light < f.directional_lights ? 1u : 2u;
-}
-
-float light_groups_sum(IN(LightGroups) g) {
-    return g.environment + g.directional + g.tree;
 }
 
 // Down the tree: u is stretched anew at every turn.
@@ -119,7 +144,7 @@ LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
     LightChoice choice;
     choice.light = NO_INDEX;
     choice.pmf = 0.0f;
-    float sum = light_groups_sum(g);
+    float sum = g.sum;
     if (!(sum > 0.0f)) { return choice; }
     float x = u * sum;
     if (x < g.environment) {
@@ -149,11 +174,12 @@ LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
 // The probability of choosing light `index` from p.
 float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     LET_REF(FrameConstants) f = load_frame();
-    float sum = light_groups_sum(g);
+    float sum = index < f.directional_lights ? g.directional_sum : g.sum;
     if (!(sum > 0.0f)) { return 0.0f; }
     if (index < f.directional_lights) {
         return directional_importance(load_light(index), normal) * f.directional_visibility / sum;
     }
+    if (g.resampled != 0u) { return 1.0f; }
     float pmf = g.tree / sum;
     uint trail = load_light(index).trail;
     uint node = 0u;
@@ -262,8 +288,8 @@ struct ChosenLight {
     vec2 environment_uv;
 };
 
-ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
-    LightChoice choice = choose_light(g, p, normal, u_choice);
+// The point of light `choice` that u stands for, as seen from p.
+ChosenLight chosen_light_point(IN(LightChoice) choice, vec3 p, vec2 u) {
     ChosenLight c;
     c.light = choice.light;
     c.pmf = choice.pmf;
@@ -281,6 +307,10 @@ ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_c
     c.point.is_delta = 0u;
     c.environment_uv = e.uv;
     return c;
+}
+
+ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
+    return chosen_light_point(choose_light(g, p, normal, u_choice), p, u);
 }
 
 vec3 chosen_light_radiance(IN(ChosenLight) c) {

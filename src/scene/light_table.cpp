@@ -86,6 +86,7 @@ private:
         r.kind = LIGHT_DIRECTIONAL, r.direction = glm::normalize(light.direction);
         r.radius = light.angularRadius, r.emission = light.emission;
         table_.lights.push_back(r);
+        table_.sources.push_back(&light);
     }
 
     // Each triangle is a light of its own: the tree knows best which part of a large polygon is
@@ -142,6 +143,7 @@ private:
             }
         }
         push(r, b);
+        table_.sources.push_back(&light);
     }
 
     void addTriangles(uint32_t instanceIndex) {

@@ -1,0 +1,123 @@
+#include "frame/scene_motion.h"
+
+namespace gp {
+
+const glm::vec3* SceneMotion::positionsOf(const Snapshot& past, const Mesh& mesh) const {
+    if (past.mesh.get() == &mesh) {
+        if (past.revision == mesh.revision) return mesh.positions.data();
+        // Other vertices since then: the copy, if the triangles still mean the same corners.
+        const auto found = vertices_.find(&mesh);
+        const bool same = past.topology == mesh.topologyRevision && found != vertices_.end() &&
+                          found->second.positions.size() == mesh.positions.size();
+        return same ? found->second.positions.data() : nullptr;
+    }
+    // Another mesh under the same id, as applications do that hand over everything each frame.
+    const bool untouched = past.revision == past.mesh->revision;
+    const bool same = untouched && past.mesh->positions.size() == mesh.positions.size() &&
+                      past.mesh->triangles == mesh.triangles;
+    return same ? past.mesh->positions.data() : nullptr;
+}
+
+void SceneMotion::compare(const Scene& scene, const LightTable& lights) {
+    instances_.assign(scene.instances.size(), {});
+    positions_.assign(scene.instances.size(), nullptr);
+    currentOfPrevious_.assign(past_.size(), NO_INDEX);
+    for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = *scene.instances[i];
+        instances_[i].index = NO_INDEX;
+        uint32_t index = NO_INDEX;
+        if (instance.id != 0) {
+            const auto found = byId_.find(instance.id);
+            if (found != byId_.end()) index = found->second;
+        } else {
+            const auto found = byObject_.find(&instance);
+            if (found != byObject_.end()) index = found->second;
+        }
+        if (index == NO_INDEX) continue;
+        const Snapshot& past = past_[index];
+        const glm::vec3* positions = positionsOf(past, *instance.mesh);
+        if (!positions) continue;
+        const glm::mat4x3& m = past.worldFromObject;
+        for (int row = 0; row < 3; ++row)
+            instances_[i].world_from_object[row] = {m[0][row], m[1][row], m[2][row], m[3][row]};
+        instances_[i].index = index;
+        positions_[i] = positions;
+        currentOfPrevious_[index] = i;
+    }
+    compareLights(scene, lights);
+}
+
+void SceneMotion::compareLights(const Scene& scene, const LightTable& lights) {
+    currentLight_.assign(pastLights_.size(), NO_INDEX);
+    // Most frames change nothing of this.
+    if (scene.revision == pastRevision_ && pastLights_.size() == lights.lights.size()) {
+        for (uint32_t i = 0; i < currentLight_.size(); ++i) currentLight_[i] = i;
+        return;
+    }
+    std::unordered_map<uint64_t, uint32_t> byId;
+    std::unordered_map<const Light*, uint32_t> byObject;
+    for (uint32_t i = 0; i < lights.sources.size(); ++i) {
+        const Light& light = *lights.sources[i];
+        if (light.id != 0) byId[light.id] = i;
+        else byObject[&light] = i;
+    }
+    for (size_t i = 0; i < pastLights_.size(); ++i) {
+        const PastLight& past = pastLights_[i];
+        if (past.light && past.id != 0) {
+            if (const auto found = byId.find(past.id); found != byId.end())
+                currentLight_[i] = found->second;
+        } else if (past.light) {
+            if (const auto found = byObject.find(past.light.get()); found != byObject.end())
+                currentLight_[i] = found->second;
+        } else if (const uint32_t instance = currentOfPrevious_[past.instance];
+                   instance != NO_INDEX && lights.lightMap[instance] != NO_INDEX) {
+            currentLight_[i] = lights.lightOfTriangle[lights.lightMap[instance] + past.primitive];
+        }
+    }
+}
+
+void SceneMotion::rememberLights(const Scene& scene, const LightTable& lights) {
+    if (scene.revision == pastRevision_ && pastLights_.size() == lights.lights.size()) return;
+    pastRevision_ = scene.revision;
+    std::unordered_map<const Light*, std::shared_ptr<const Light>> owners;
+    for (const auto& light : scene.lights) owners[light.get()] = light;
+    pastLights_.assign(lights.lights.size(), {});
+    for (size_t i = 0; i < pastLights_.size(); ++i) {
+        PastLight& past = pastLights_[i];
+        if (i < lights.sources.size()) {
+            past.light = owners.at(lights.sources[i]);
+            past.id = past.light->id;
+        } else {
+            past.instance = lights.lights[i].instance;
+            past.primitive = lights.lights[i].primitive;
+        }
+    }
+}
+
+void SceneMotion::remember(const Scene& scene, const LightTable& lights) {
+    rememberLights(scene, lights);
+    past_.clear(), byId_.clear(), byObject_.clear();
+    past_.reserve(scene.instances.size());
+    for (auto& [mesh, vertices] : vertices_) vertices.used = false;
+    for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const auto& instance = scene.instances[i];
+        const Mesh& mesh = *instance->mesh;
+        past_.push_back({instance, instance->mesh, instance->worldFromObject, mesh.revision,
+                         mesh.topologyRevision});
+        if (instance->id != 0) byId_[instance->id] = i;
+        else byObject_[instance.get()] = i;
+        if (mesh.kind != MeshKind::dynamic) continue;
+        Vertices& kept = vertices_[&mesh];
+        kept.used = true;
+        if (kept.revision == mesh.revision && !kept.positions.empty()) continue;
+        kept.positions = mesh.positions;
+        kept.revision = mesh.revision;
+    }
+    std::erase_if(vertices_, [](const auto& entry) { return !entry.second.used; });
+}
+
+void SceneMotion::forget() {
+    past_.clear(), byId_.clear(), byObject_.clear(), vertices_.clear(), pastLights_.clear();
+}
+
+}  // namespace gp

@@ -1,0 +1,197 @@
+// The light of the surface that a pixel shows, with about one path: a shadow ray to a directional
+// light, one to any other light, and one ray by the material, whose path goes on as the
+// reference's does. What they bring is kept in three channels: diffuse light of lamps and sky,
+// diffuse light of surfaces, and all else.
+// Resources: load_gradient_sample, store_… of the channels and luma, note_draws, and those of
+// pixel_surface.glsl and light_reuse.glsl.
+#ifndef GP_KERNELS_REALTIME_LIGHTING_GLSL
+#define GP_KERNELS_REALTIME_LIGHTING_GLSL
+#include "kernels/realtime/light_reuse.glsl"
+#include "kernels/realtime/pixel_surface.glsl"
+#include "shading/ycocg.glsl"
+
+// Draws of lighting start here, behind those of the longest way through mirrors.
+#define LIGHTING_DRAWS 128u
+#define DRAW_SUN_CHOICE 0u  // before those of the path's vertices
+#define DRAW_SUN 1u
+#define LIGHTING_OWN_DRAWS 2u
+#define REUSE_DRAWS 192u    // of light reuse, behind those of any path
+
+#define SKY_DISTANCE 65504.0f  // of what a specular ray shows, where that is the sky
+
+// Radiance over albedo.
+struct PixelLight {
+    vec3 direct;
+    vec3 indirect;
+    vec3 indirect_from;   // direction of the latter
+    vec3 specular;
+    float specular_distance;
+};
+
+// Adds light that arrives from wi: `f` is what the surface reflects of it, over any density.
+PixelLight add_direct(PixelLight sum, IN(PixelSurface) at, vec3 wi_local, vec3 f, float inv_pdf,
+                      vec3 light) {
+    vec3 diffuse = bsdf_is_diffuse(at.p.bsdf)
+                       ? f : bsdf_diffuse_part(at.p.bsdf, at.wo_local, wi_local) * inv_pdf;
+    vec3 seen = at.throughput * light;
+    sum.direct += diffuse * seen * at.inv_albedo;
+    sum.specular += (f - diffuse) * seen * at.inv_specular_albedo;
+    return sum;
+}
+
+PixelLight add_shadow_ray(PixelLight sum, IN(PixelSurface) at, IN(ChosenLight) choice,
+                          float resampled) {
+    ShadowedLight arrived =
+        shadowed_light(at.s, at.p, choice, at.wo_local, at.wo, vec3(0.0f), true, resampled);
+    if (arrived.light == vec3(0.0f)) { return sum; }
+    return add_direct(sum, at, arrived.wi_local, arrived.f_cos, 1.0f, arrived.light);
+}
+
+// The shadow ray to a light that is not directional, by what pixels have found so far. `past`
+// repeats a pixel of the last frame where that is not negative.
+PixelLight add_resampled_ray(PixelLight sum, ivec2 pixel, ivec2 past, IN(PixelSurface) at,
+                             IN(PathVertex) vertex, Sampler draws) {
+    draws.dimension = REUSE_DRAWS;
+    Reservoir reservoir;
+    if (past.x >= 0) {
+        reservoir = past_reservoir(past);
+    } else {
+        reservoir = resampled_light(pixel, at, vertex, draws);
+    }
+    if (reservoir.light == NO_INDEX || !(reservoir.weight > 0.0f)) {
+        keep_reservoir(pixel, reservoir, true);
+        return sum;
+    }
+    LightChoice choice;
+    choice.light = reservoir.light;
+    choice.pmf = 1.0f;
+    ChosenLight chosen = chosen_light_point(choice, vertex.position, reservoir.u);
+    PixelLight next = add_shadow_ray(sum, at, chosen, reservoir.weight);
+    bool visible = next.direct != sum.direct || next.specular != sum.specular;
+    keep_reservoir(pixel, reservoir, visible);
+    return next;
+}
+
+// The ray by the material, and the path behind it.
+PixelLight add_bounce(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex,
+                      IN(PathState) start, IN(BsdfSample) b) {
+    PathState path = start;
+    path_leave(path, at.s, at.p, vertex, at.wo_local, b, -1.0f);
+    if (path.ended != 0u) { return sum; }
+    path.throughput = vec3(1.0f);
+    path.hit = trace_closest(path.ray);
+    vec3 wi = path.ray.direction;
+    sum.specular_distance =
+        path.hit.instance == HIT_NOTHING ? SKY_DISTANCE : min(path.hit.t, SKY_DISTANCE);
+    while (path.ended == 0u) {
+        path_continue(path);
+        if (path.ended == 0u) { path.hit = trace_closest(path.ray); }
+    }
+    float inv_pdf = 1.0f / b.pdf;
+    vec3 diffuse = bsdf_is_diffuse(at.p.bsdf)
+                       ? b.weight : bsdf_diffuse_part(at.p.bsdf, at.wo_local, b.wi) * inv_pdf;
+    sum = add_direct(sum, at, b.wi, b.weight, inv_pdf, path.light.direct);
+    vec3 seen = at.throughput * path.light.indirect;
+    sum.indirect = diffuse * seen * at.inv_albedo;
+    sum.indirect_from = wi;
+    sum.specular += max(b.weight - diffuse, vec3(0.0f)) * seen * at.inv_specular_albedo;
+    return sum;
+}
+
+PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler draws) {
+    PixelLight sum;
+    sum.direct = vec3(0.0f);
+    sum.indirect = vec3(0.0f);
+    sum.indirect_from = vec3(0.0f);
+    sum.specular = vec3(0.0f);
+    sum.specular_distance = 0.0f;
+    bool transmissive = (at.p.flags & MATERIAL_TRANSMISSIVE) != 0u;
+    PathVertex vertex = path_vertex(at.s, at.wo, transmissive);
+    vertex.groups = light_groups_apart(vertex.groups);
+    bool reuse = load_realtime().light_reuse != LIGHT_REUSE_NONE;
+    vertex.groups.resampled = reuse ? 1u : 0u;
+    Sampler own = draws;
+    own.dimension = LIGHTING_DRAWS;
+    draws.dimension = LIGHTING_DRAWS + LIGHTING_OWN_DRAWS;
+    vec2 u_choices = draw_at(draws, 0u, DRAW_CHOICES);
+    if (!bsdf_is_specular(at.p.bsdf)) {
+        if (vertex.groups.directional > 0.0f) {
+            ChosenLight sun = choose_light_point(
+                light_groups_directional(vertex.groups), vertex.position, vertex.normal,
+                draw_at(own, 0u, DRAW_SUN_CHOICE).x, draw_at(own, 0u, DRAW_SUN));
+            sum = add_shadow_ray(sum, at, sun, 0.0f);
+        }
+        if (reuse) {
+            sum = add_resampled_ray(sum, pixel, past, at, vertex, draws);
+        } else {
+            ChosenLight other = choose_light_point(
+                light_groups_others(vertex.groups), vertex.position, vertex.normal, u_choices.x,
+                draw_at(draws, 0u, DRAW_LIGHT));
+            sum = add_shadow_ray(sum, at, other, 0.0f);
+        }
+    } else if (reuse) {
+        keep_reservoir(pixel, reservoir_empty(), true);
+    }
+    BsdfSample b =
+        bsdf_sample(at.p.bsdf, at.wo_local, u_choices.y, draw_at(draws, 0u, DRAW_BSDF));
+    Ray arriving;
+    arriving.origin = at.s.position;
+    arriving.direction = -at.wo;
+    arriving.t_min = 0.0f;
+    arriving.t_max = 0.0f;
+    RayCone cone;
+    cone.width = 0.0f;
+    cone.spread = camera_pixel_spread(load_camera(), float(load_realtime().size.y));
+    return add_bounce(sum, at, vertex, path_begin(arriving, cone, draws), b);
+}
+
+vec3 finite_or_black(vec3 v) {
+    return v.x + v.y + v.z < FLOAT_MAX ? v : vec3(0.0f);
+}
+
+void store_pixel_light(ivec2 pixel, IN(PixelLight) light) {
+    vec3 direct = finite_or_black(light.direct);
+    vec3 indirect = ycocg_from_rgb(finite_or_black(light.indirect));
+    vec3 specular = finite_or_black(light.specular);
+    store_direct(pixel, vec4(direct, 1.0f));
+    store_indirect(pixel, vec4(indirect.x, light.indirect_from * indirect.x));
+    store_indirect_chroma(pixel, vec2(indirect.y, indirect.z));
+    store_specular(pixel, vec4(specular, light.specular_distance));
+    store_luma(pixel, vec4(luminance(direct), indirect.x, luminance(specular), 0.0f));
+}
+
+void realtime_light(ivec2 pixel) {
+    LET_REF(RealtimeConstants) r = load_realtime();
+    PixelMaterial m = unpack_material(load_material(pixel));
+    PixelLight none;
+    none.direct = vec3(0.0f);
+    none.indirect = vec3(0.0f);
+    none.indirect_from = vec3(0.0f);
+    none.specular = vec3(0.0f);
+    none.specular_distance = SKY_DISTANCE;
+    if ((m.flags & (REALTIME_SKY | REALTIME_UNLIT)) != 0u) {
+        store_pixel_light(pixel, none);
+        if (r.light_reuse != LIGHT_REUSE_NONE) { keep_reservoir(pixel, reservoir_empty(), true); }
+        return;
+    }
+    ivec2 drawing = pixel;
+    ivec2 past = ivec2(-1);
+    uint frame_index = r.frame_index;
+    if (r.repeats_draws != 0u) {
+        ivec2 block = pixel / 3;
+        uint code = load_gradient_sample(block);
+        ivec2 inside = pixel - block * 3;
+        if ((code & 15u) == uint(1 + inside.x + 3 * inside.y)) {
+            past = ivec2(int((code >> 4u) & 16383u), int(code >> 18u));
+            drawing = past;
+            frame_index -= 1u;
+        }
+    }
+    Sampler draws = realtime_draws(drawing, frame_index);
+    draws.dimension = CAMERA_DRAWS;
+    note_draws(draws);
+    store_pixel_light(
+        pixel, pixel_light(pixel, past, load_pixel_surface(pixel, draws, m.mirrors), draws));
+}
+
+#endif
