@@ -122,13 +122,14 @@ public:
         : Owner(detail::checked(gpNewMaterial(d.get(), &desc), d.get()), d.get()) {}
     // An animated one, which shows one of `frames`.
     static Material animated(const Device& d, const std::vector<GpMaterial>& frames) {
-        return Material(d, gpNewAnimatedMaterial(d.get(), frames.data(), uint32_t(frames.size())));
+        Material material;
+        static_cast<Owner&>(material) = Owner(
+            detail::checked(gpNewAnimatedMaterial(d.get(), frames.data(), uint32_t(frames.size())),
+                            d.get()),
+            d.get());
+        return material;
     }
     void setFrame(uint32_t frame) { check(gpSetMaterialFrame(get(), frame)); }
-
-private:
-    Material(const Device& d, GpMaterial handle)
-        : Owner(detail::checked(handle, d.get()), d.get()) {}
 };
 
 class Mesh : public Owner<GpMesh, gpReleaseMesh> {

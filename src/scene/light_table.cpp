@@ -97,7 +97,7 @@ private:
             LightRecord r{};
             r.kind = LIGHT_TRIANGLE, r.two_sided = light.twoSided, r.emission = light.emission;
             r.position = p[0], r.edge_u = p[i] - p[0], r.edge_v = p[i + 1] - p[0];
-            r.instance = r.primitive = NO_INDEX;
+            r.instance = NO_INDEX, r.primitive = uint32_t(i) - 1;
             const glm::vec3 n = glm::cross(r.edge_u, r.edge_v);
             const float length = glm::length(n);
             r.direction = length > 0 ? n / length : light.direction, r.area = 0.5f * length;
@@ -107,6 +107,7 @@ private:
             b.axis = r.direction, b.twoSided = light.twoSided;
             b.phi = power(light.emission, r.area, light.twoSided);
             push(r, b);
+            table_.sources.push_back(&light);
         }
     }
 

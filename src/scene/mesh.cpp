@@ -151,6 +151,21 @@ std::vector<uint32_t> tangentsOf(const Mesh& mesh, std::vector<glm::vec2> uv) {
     return packed;
 }
 
+// Whether coordinates are the old ones moved as a whole, but for rounding, as those of a texture
+// that scrolls are: tangents then stay. Finding them anew costs a hundred times as much.
+bool onlyMoved(const Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& uv) {
+    if (uv.empty() || (set == 1 && mesh.uv1.empty())) return false;
+    const auto old = [&](size_t v) { return set == 0 ? mesh.vertices[v].uv : mesh.uv1[v]; };
+    constexpr float rounding = 2.4e-7f;  // two steps of a float
+    const glm::vec2 move = uv[0] - old(0);
+    for (size_t v = 1; v < uv.size(); ++v) {
+        const glm::vec2 size = glm::max(glm::abs(uv[v]), glm::abs(old(v))) + glm::abs(move);
+        const glm::vec2 off = glm::abs(uv[v] - old(v) - move);
+        if (off.x > rounding * size.x || off.y > rounding * size.y) return false;
+    }
+    return true;
+}
+
 glm::u8vec4 packColor(glm::vec4 c) {
     return glm::u8vec4(glm::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
@@ -191,7 +206,8 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
 void updateTexCoords(Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& given) {
     std::vector<glm::vec2> uv = given;
     if (!given.empty()) gather(uv, mesh.givenVertex);
-    const bool turns = mesh.tangentsGenerated && mesh.options.tangentUv == set;
+    const bool turns = mesh.tangentsGenerated && mesh.options.tangentUv == set &&
+                       !onlyMoved(mesh, set, uv);
     std::vector<uint32_t> tangents;
     if (turns) tangents = tangentsOf(mesh, uv);  // all that may fail comes before the first change
     if (turns)

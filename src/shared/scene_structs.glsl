@@ -170,7 +170,7 @@ struct TriangleCorners {
 #define LIGHT_DIRECTIONAL 4u
 
 // A light that can be chosen: one emissive triangle, a gp::Light, or a triangle of a polygon, whose
-// instance is NO_INDEX.
+// instance is NO_INDEX and whose primitive is its place in the polygon.
 struct LightRecord {
     vec3 position;   // sphere, spot: centre; rectangle, triangle: first corner
     uint kind;

@@ -68,6 +68,29 @@ TEST(TexCoords, LeaveTangentsToTheKernelsWhereAVertexWouldNeedTwo) {
     expectSameCorners(changed, meshOf(hinge(true, false)));
 }
 
+// As a texture that scrolls has them, over hours: nothing turns.
+TEST(TexCoords, KeepTangentsWhereTheyMoveAsAWhole) {
+    for (const uint32_t set : {0u, 1u}) {
+        MeshData data = hinge(true, true);
+        data.uv[1] = data.uv[0];
+        Mesh mesh;
+        MeshOptions options;
+        options.needsTangents = options.updatable = true, options.tangentUv = set;
+        fillMesh(mesh, MeshData(data), options);
+        const std::vector<ShadingVertex> before = mesh.vertices;
+        for (const float step : {0.1f, 0.7f, 33.3f, 2000.7f}) {
+            auto uv = data.uv[0];
+            for (glm::vec2& p : uv) p += glm::vec2(step, -0.3f * step);
+            updateTexCoords(mesh, set, uv);
+            for (size_t v = 0; v < mesh.vertexCount(); ++v) {
+                EXPECT_EQ(mesh.vertices[v].tangentOct, before[v].tangentOct) << step;
+                const glm::vec2 now = set == 0 ? mesh.vertices[v].uv : mesh.uv1[v];
+                EXPECT_EQ(now, uv[v < 4 ? v : mesh.givenVertex[v]]);
+            }
+        }
+    }
+}
+
 TEST(TexCoords, KeepGivenTangentsAndThoseOfTheOtherSet) {
     MeshData given = hinge(true, false);
     given.tangents.assign(4, {0, 1, 0, -1});
