@@ -168,6 +168,47 @@ GP_API GpTexture gpNewTexture(GpDevice device, const GpTextureDesc* desc);
 GP_API GpTexture gpNewTextureFromFile(GpDevice device, const char* path, const GpTextureDesc* desc);
 GP_API GpError gpReleaseTexture(GpTexture texture);
 
+/* A rectangle of new pixels. */
+typedef struct GpTextureUpdate {
+    uint32_t x, y;            /* its upper left pixel in the texture */
+    uint32_t width, height;   /* at least 1 each; must lie inside of the texture */
+    GpPixelFormat format;     /* the texture's: files of 8 bits a channel make GP_FORMAT_RGBA8,
+                                 all others GP_FORMAT_RGBA32F, and floats are always linear */
+    const void* pixels;       /* of the rectangle alone, top row first; required */
+    size_t rowBytes;          /* 0 = tightly packed */
+} GpTextureUpdate;
+
+/* New pixels at any time; every material with this texture, and every scene with such a material,
+ * shows them from the next gpRender on, light of emission textures included. Cost: the mip chain
+ * below the rectangle. Another format is GP_ERROR_INVALID_ARGUMENT, a rectangle that leaves the
+ * texture GP_ERROR_OUT_OF_RANGE; a texture in whose place a file stands (gpSetTextureOverrides) is
+ * GP_ERROR_INVALID_OPERATION. */
+GP_API GpError gpUpdateTexture(GpTexture texture, const GpTextureUpdate* update);
+
+/* Files that stand in the place of textures by name, such as those of a mod. For a texture that
+ * has the name "walls/brick" FOLDER/walls/brick + POSTFIX + ENDING is looked for; the endings
+ * are .png, .jpg, .jpeg, .exr and .hdr, in this order, and the postfixes those of three maps:
+ *   albedo  RGB base colour (8-bit files: sRGB) and alpha; takes the place of the pixels
+ *   rme     R roughness, G metallic, B emission, linear; what is emitted is B times the colour of
+ *           the albedo map (of the texture's first pixels where there is none), in W/(m^2 sr)
+ *   normal  tangent space, Y up, linear
+ * rme and normal go into materials that use the texture as baseColorTexture, where their
+ * descriptor leaves normalTexture, metallicRoughnessTexture or emissionTexture NULL, with the
+ * coordinates and transform of baseColorTexture. The factors multiply them as always, but a
+ * metallic or an emission of 0 counts as 1 there. */
+typedef struct GpTextureOverrides {
+    const char* folder;        /* required */
+    const char* albedoPostfix; /* NULL = "_albedo"; may be "" */
+    const char* rmePostfix;    /* NULL = "_rme" */
+    const char* normalPostfix; /* NULL = "_n" */
+} GpTextureOverrides;
+
+/* For all textures made from now on; NULL ends it. A file that is not there is no error; one that
+ * cannot be read is an error of gpNewTexture, with the file's name. Names that are absolute or
+ * contain ".." are never looked for. A folder that is not there is GP_ERROR_FILE_NOT_FOUND; two
+ * postfixes that are the same are GP_ERROR_INVALID_ARGUMENT. */
+GP_API GpError gpSetTextureOverrides(GpDevice device, const GpTextureOverrides* overrides);
+
 /* --------------------------------------------------------------------------------- materials */
 
 /* A texture in a material: u' = transform[0] u + transform[1] v + transform[2], v' likewise with
@@ -205,6 +246,22 @@ typedef struct GpMaterialLayer {
     GpTextureUse mask;     /* linear; NULL = the weight alone */
     uint32_t maskChannel;  /* 0 red, 1 green, 2 blue, 3 alpha */
 } GpMaterialLayer;
+
+/* How a texture layer meets the colour below it, in linear light, channel by channel. */
+typedef enum GpLayerBlend {
+    GP_LAYER_OPAQUE = 0, /* in its place */
+    GP_LAYER_ALPHA = 1,  /* over it: below (1 - a) + layer a */
+    GP_LAYER_ADD = 2,    /* the sum, at most 1 */
+    GP_LAYER_SHADE = 3   /* twice the product, at most 1: a layer of 0.5 (188 of an sRGB texture's
+                            255) changes nothing. Light maps, detail textures */
+} GpLayerBlend;
+
+/* A texture over the base colour of a material. */
+typedef struct GpTextureLayer {
+    GpTextureUse texture;  /* RGBA, sRGB; NULL = the colour alone */
+    float color[4];        /* multiplies the texture; linear, 0..1; four zeros = white */
+    GpLayerBlend blend;    /* GP_LAYER_OPAQUE */
+} GpTextureLayer;
 
 /* glTF 2.0 metallic-roughness with the Khronos extensions; a texture multiplies its factor. All
  * factors are in 0..1 unless said otherwise. Or, where `bsdf` is set, any model of the library. */
@@ -265,11 +322,23 @@ typedef struct GpMaterialDesc {
     uint32_t layerCount;           /* at most 16 */
     const char* preset;            /* in the place of bsdf and layers: any word that a GpBsdfDesc
                                       takes as model; stacks of a file bring their masks */
+    /* Over base colour times its texture, in this order; what comes out is multiplied by the
+     * colours of vertices and of the instance. Alpha stays that of the base. */
+    const GpTextureLayer* textureLayers;
+    uint32_t textureLayerCount;    /* at most 2 */
 } GpMaterialDesc;
 
 /* desc may be NULL: white and diffuse with a dielectric sheen of its index. */
 GP_API GpMaterial gpNewMaterial(GpDevice device, const GpMaterialDesc* desc);
 GP_API GpError gpReleaseMaterial(GpMaterial material);
+/* A material that shows one of `count` others, the first to begin with; gpSetMaterialFrame chooses.
+ * It is used like any other; its name is that of the one that shows. 1..65536 frames, none of them
+ * animated itself (GP_ERROR_INVALID_ARGUMENT); their handles may be released after the call. */
+GP_API GpMaterial gpNewAnimatedMaterial(GpDevice device, const GpMaterial* frames, uint32_t count);
+/* From the next gpRender on every mesh and instance with this animated material shows that frame,
+ * counted from 0, light that it sends included. Past the end is GP_ERROR_OUT_OF_RANGE; a material
+ * that is not animated GP_ERROR_INVALID_OPERATION. */
+GP_API GpError gpSetMaterialFrame(GpMaterial material, uint32_t frame);
 /* Gives `material` to every instance of the scene whose material has this name; name NULL: to all
  * instances. *replaced (may be NULL) receives how many those are, which may be 0. */
 GP_API GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
@@ -309,6 +378,12 @@ GP_API GpMesh gpNewMesh(GpDevice device, const GpMeshDesc* desc);
  * The next gpRender builds its acceleration structure anew, at the quality that is quickest to
  * build. GP_ERROR_INVALID_OPERATION for the other kinds. */
 GP_API GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc);
+/* New texture coordinates for a mesh of any kind: uv for each vertex that the mesh was given, in
+ * that order; set 0 or 1; stride in bytes, 0 = tightly packed. uv NULL = zeros. Acceleration
+ * structures stay as they are. Tangents that were generated follow (where triangles that mirror the
+ * texture and others newly share a vertex, each triangle of the mesh takes its own); given ones
+ * stay. */
+GP_API GpError gpUpdateTexCoords(GpMesh mesh, uint32_t set, const float* uv, size_t stride);
 GP_API GpError gpReleaseMesh(GpMesh mesh);
 
 /* ------------------------------------------------------------------------- scenes, instances */
@@ -318,19 +393,42 @@ GP_API GpError gpReleaseScene(GpScene scene);
 
 enum { GP_VISIBLE_CAMERA = 1, GP_VISIBLE_BOUNCE = 2, GP_VISIBLE_SHADOW = 4 };
 
+/* Whose eyes see an instance. */
+typedef enum GpVisibility {
+    GP_VISIBILITY_WORLD = 0,        /* everyone's */
+    GP_VISIBILITY_FIRST_PERSON = 1, /* the viewer's hands and weapon: the camera sees them; they are
+                                       in no reflection, cast no shadow and light nothing */
+    GP_VISIBILITY_VIEWER_BODY = 2   /* the body that the viewer stands in: reflected and casting
+                                       shadows, but the camera looks through it */
+} GpVisibility;
+
 typedef struct GpInstanceDesc {
     uint64_t id;            /* yours, unique in the scene; 0 = none */
     GpMesh mesh;            /* required */
     GpMaterial material;    /* NULL = the mesh's */
     float worldFromObject[12]; /* 3 rows of 4; twelve zeros = identity. Must be invertible */
-    uint32_t invisibleTo;   /* GP_VISIBLE_ bits of the rays that pass through it; 0 = seen by all */
+    uint32_t invisibleTo;   /* GP_VISIBLE_ bits of the rays that pass through it, beside those that
+                               `visibility` lets pass; 0 = none. What bounced rays do not see lights
+                               nothing either */
     const char* name;
+    GpVisibility visibility;/* GP_VISIBILITY_WORLD */
+    float color[4];         /* linear RGB and alpha, 0..1: multiplies the base colour, as colours of
+                               vertices do; four zeros = white. Alpha counts where the material's
+                               alphaMode looks at it */
 } GpInstanceDesc;
 
 /* The instance belongs to the scene until it is removed; your handle may be released before. */
 GP_API GpInstance gpNewInstance(GpScene scene, const GpInstanceDesc* desc);
 /* For instances of movable and dynamic meshes; twelve floats, 3 rows of 4. */
 GP_API GpError gpSetInstanceTransform(GpInstance instance, const float* worldFromObject);
+/* Another material; NULL = the mesh's. */
+GP_API GpError gpSetInstanceMaterial(GpInstance instance, GpMaterial material);
+/* Four floats, taken as they stand; NULL = white. Each pair of a material and a colour costs about
+ * 1 KB in the scene. */
+GP_API GpError gpSetInstanceColor(GpInstance instance, const float* color);
+/* visibility and invisibleTo of GpInstanceDesc anew. */
+GP_API GpError gpSetInstanceVisibility(GpInstance instance, GpVisibility visibility,
+                                       uint32_t invisibleTo);
 /* Takes it out of its scene and releases the handle. */
 GP_API GpError gpRemoveInstance(GpInstance instance);
 /* Gives up the handle; the instance stays in its scene. */
@@ -342,12 +440,15 @@ typedef enum GpLightKind {
     GP_LIGHT_DIRECTIONAL = 0, /* the sun: parallel, or from a disk of angularRadius */
     GP_LIGHT_SPHERE = 1,      /* or a point, with radius 0 */
     GP_LIGHT_SPOT = 2,        /* a sphere (or point) whose light leaves within a cone */
-    GP_LIGHT_RECTANGLE = 3
+    GP_LIGHT_RECTANGLE = 3,
+    GP_LIGHT_POLYGON = 4      /* flat and convex */
 } GpLightKind;
 
 typedef enum GpLightUnit {
-    GP_UNIT_RADIOMETRIC = 0, /* directional W/m^2; sphere and spot W/sr; rectangle W/(m^2 sr) */
-    GP_UNIT_PHOTOMETRIC = 1, /* directional lux; sphere and spot candela; rectangle candela/m^2 */
+    GP_UNIT_RADIOMETRIC = 0, /* directional W/m^2; sphere and spot W/sr; rectangle and polygon
+                                W/(m^2 sr) */
+    GP_UNIT_PHOTOMETRIC = 1, /* directional lux; sphere and spot candela; rectangle and polygon
+                                candela/m^2 */
     GP_UNIT_POWER_W = 2,     /* whole power in watts (not directional). Spots: as if all around */
     GP_UNIT_POWER_LM = 3     /* the same in lumens */
 } GpLightUnit;
@@ -366,9 +467,13 @@ typedef struct GpLightDesc {
     float innerAngle;     /* spot: radians from the axis, 0..outerAngle */
     float outerAngle;     /* spot: 0 = pi/4; at most pi/2 */
     float edgeU[3], edgeV[3]; /* rectangle: its edges from the corner; light leaves along U x V */
-    int32_t twoSided;     /* rectangle */
-    int32_t invisible;    /* not 0: camera rays do not see the sphere or rectangle itself */
+    int32_t twoSided;     /* rectangle, polygon */
+    int32_t invisible;    /* not 0: camera rays do not see the sphere, rectangle or polygon */
     const char* name;
+    const float* corners; /* polygon: xyz of each, in one plane and convex, within 1e-4 of its size;
+                             light leaves on the side that sees them counter-clockwise. For other
+                             shapes take several polygons */
+    uint32_t cornerCount; /* polygon: 3..1024 */
 } GpLightDesc;
 
 GP_API GpLight gpNewLight(GpScene scene, const GpLightDesc* desc);
@@ -545,7 +650,8 @@ typedef enum GpFalloff {
 
 /* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
  * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
- * their centre with their whole power, directional lights as if their angularRadius were 0.
+ * their centre with their whole power, polygons from the centres of their triangles, directional
+ * lights as if their angularRadius were 0.
  * Surfaces that glow show it, but light nothing. The environment is the background, and its mean
  * radiance is added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is
  * added too. */

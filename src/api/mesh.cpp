@@ -39,6 +39,7 @@ MeshData dataFrom(const GpMeshDesc& desc) {
 // are generated wherever coordinates say which way they run.
 MeshOptions optionsFor(const Material& material, const MeshData& data) {
     MeshOptions options;
+    options.updatable = true;
     for (const TextureUse* use : {&material.anisotropyTexture, &material.normalTexture}) {
         if (!use->texture) continue;
         options.tangentUv = use->texCoord;
@@ -52,7 +53,7 @@ MeshOptions optionsFor(const Material& material, const MeshData& data) {
 
 void fill(Mesh& mesh, const GpMeshDesc& desc) {
     MeshData data = dataFrom(desc);
-    const MeshOptions options = optionsFor(*mesh.material, data);
+    const MeshOptions options = optionsFor(mesh.material->shown(), data);
     fillMesh(mesh, std::move(data), options);
 }
 
@@ -96,9 +97,25 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         target.vertices.swap(fresh.vertices);
         target.uv1.swap(fresh.uv1);
         target.colors.swap(fresh.colors);
+        target.givenVertex.swap(fresh.givenVertex);
+        target.givenCount = fresh.givenCount;
+        target.options = fresh.options;
+        target.tangentsGenerated = fresh.tangentsGenerated;
         ++target.revision;
         if (!joined) ++target.topologyRevision;
         meshChanged(*object.device, target);
+    });
+}
+
+GpError gpUpdateTexCoords(GpMesh mesh, uint32_t set, const float* uv, size_t stride) {
+    return enter("gpUpdateTexCoords", "mesh", mesh, [&](MeshObject& object) {
+        if (set > 1) fail(GP_ERROR_OUT_OF_RANGE, "set is {}, but only 0 and 1 exist", set);
+        gp::Mesh& target = *object.mesh;
+        const auto given =
+            copyStrided<glm::vec2>(uv, uint32_t(target.givenCount), stride, "stride");
+        checkVertices(given, "uv");
+        gp::updateTexCoords(target, set, given);
+        texCoordsChanged(*object.device, target);
     });
 }
 

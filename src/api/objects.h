@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -25,6 +26,12 @@ namespace gp::api {
 
 struct SceneObject;
 
+// gpSetTextureOverrides.
+struct TextureOverrides {
+    std::string folder;
+    std::string albedo, rme, normal;  // postfixes
+};
+
 struct DeviceObject final : Object {
     std::unique_ptr<Backend> backend;
     std::string name;
@@ -34,6 +41,7 @@ struct DeviceObject final : Object {
     void* errorUser = nullptr;
     std::atomic<bool>* cancel = nullptr;  // its slot of the cancel table (api/cancel.h)
     std::shared_ptr<const Material> defaultMaterial;
+    std::optional<TextureOverrides> overrides;       // for textures yet to be made
     std::vector<std::weak_ptr<SceneObject>> scenes;  // so that changed meshes reach them
 
     std::mutex mutex;                       // held by every call on the device
@@ -52,12 +60,16 @@ struct ChildObject : Object {
 
 struct TextureObject final : ChildObject {
     using ChildObject::ChildObject;
-    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<Texture> texture;
+    // Files of gpSetTextureOverrides: the one in its place, and the maps for materials beside it.
+    std::string replacedBy;
+    std::shared_ptr<const Texture> metallicRoughness, emission, normal;
 };
 
 struct MaterialObject final : ChildObject {
     using ChildObject::ChildObject;
     std::shared_ptr<const Material> material;
+    std::shared_ptr<Material> animated;  // the same, where its frame may be switched; else null
 };
 
 struct MeshObject final : ChildObject {

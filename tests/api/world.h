@@ -127,5 +127,6 @@ Rows imageRows();
 Rows bsdfRows();
 Rows drawRows();
 Rows immediateRows();
+Rows changeRows();
 
 }  // namespace gp::test

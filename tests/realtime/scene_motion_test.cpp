@@ -1,4 +1,6 @@
 // SceneMotion by itself: which instance of the last frame an instance is.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "frame/scene_motion.h"
@@ -124,6 +126,28 @@ TEST(SceneMotion, FollowsLightsByIdObjectAndInstance) {
     next.lights = {light(6), scene.lights[1], light(7), light(8)};  // 5 went out
     motion.compare(next, makeLightTable(next));
     EXPECT_EQ(motion.currentLightOfPrevious(), (std::vector<uint32_t>{NO_INDEX, 1, 0, 4, 5}));
+}
+
+// A polygon is as many lights as it has triangles; each finds itself again, or is gone.
+TEST(SceneMotion, FindsTheTrianglesOfPolygonalLights) {
+    const auto polygon = [](uint64_t id, size_t corners) {
+        auto light = std::make_shared<Light>();
+        light->id = id, light->kind = LightKind::polygon;
+        for (size_t i = 0; i < corners; ++i) {
+            const float a = 6.2831853f * float(i) / float(corners);
+            light->corners.emplace_back(std::cos(a), std::sin(a), 0);
+        }
+        return light;
+    };
+    Scene scene;
+    scene.lights = {polygon(1, 5), polygon(2, 4), polygon(0, 3)};  // 3, 2 and 1 triangles
+    SceneMotion motion;
+    motion.remember(scene, makeLightTable(scene));
+    ++scene.revision;
+    scene.lights = {polygon(2, 4), scene.lights[2], polygon(1, 4)};
+    motion.compare(scene, makeLightTable(scene));
+    EXPECT_EQ(motion.currentLightOfPrevious(),
+              (std::vector<uint32_t>{3, 4, NO_INDEX, 0, 1, 2}));
 }
 
 TEST(SceneMotion, ForgetsOnDemand) {
