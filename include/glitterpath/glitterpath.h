@@ -569,6 +569,22 @@ typedef enum GpAntiAliasing {
     GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
 } GpAntiAliasing;
 
+/* How a pixel's shadow ray chooses among the lights that are not directional.
+ * [Bitterli et al. 2020, "ReSTIR"] */
+typedef enum GpLightReuse {
+    GP_REUSE_NONE = 0,    /* by expected irradiance, each pixel and frame by itself */
+    GP_REUSE_BIASED = 1,  /* with what this and nearby pixels found in the last frame: less noise,
+                             somewhat too dark where few pixels see a light */
+    GP_REUSE_UNBIASED = 2 /* the same with the right weights: more noise there, and slower */
+} GpLightReuse;
+
+/* The exposure follows what the frame shows: the middle tones become a middle grey, and exposureEv
+ * is added to that. */
+typedef struct GpEyeAdaptation {
+    float seconds;      /* until 63 % of the way to another exposure is done; 0 = no adaptation */
+    float evMin, evMax; /* of the exposure that is found; both 0 = -10 and 10 */
+} GpEyeAdaptation;
+
 typedef struct GpRealtimeOptions {
     int32_t resetHistory;   /* not 0: nothing of earlier frames is used, as after a cut */
     GpAntiAliasing antiAliasing;
@@ -576,6 +592,9 @@ typedef struct GpRealtimeOptions {
                                1 the picture is scaled up over time; a change forgets history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
+    GpLightReuse lightReuse;
+    float timeStep;         /* seconds since the last frame; 0 = 1/60 */
+    GpEyeAdaptation eyeAdaptation;
 } GpRealtimeOptions;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
@@ -636,6 +655,7 @@ typedef struct GpFrameStatistics {
     double noise;                      /* relative error, < 0: too few samples to say */
     uint64_t accelerationBytes;        /* memory of the acceleration structures */
     uint64_t frameBytes;               /* memory of the frame's images */
+    float exposureEv;                  /* of the last gpRender, eye adaptation included */
 } GpFrameStatistics;
 
 GP_API GpError gpGetFrameStatistics(GpFrame frame, GpFrameStatistics* statistics);

@@ -29,12 +29,42 @@ void checkOthers(const GpRenderOptions& o) {
 
 }  // namespace
 
+namespace {
+
+EyeAdaptation eyeFrom(const GpEyeAdaptation& e) {
+    constexpr double longest = 3600, widest = 100;
+    EyeAdaptation eye;
+    checkRange(e.seconds, 0, longest, "options.realtime.eyeAdaptation.seconds");
+    checkRange(e.evMin, -widest, widest, "options.realtime.eyeAdaptation.evMin");
+    checkRange(e.evMax, -widest, widest, "options.realtime.eyeAdaptation.evMax");
+    eye.seconds = e.seconds;
+    if (e.evMin == 0 && e.evMax == 0) return eye;
+    if (e.evMin > e.evMax)
+        fail(GP_ERROR_OUT_OF_RANGE, "options.realtime.eyeAdaptation.evMin is {}, above evMax, {}",
+             e.evMin, e.evMax);
+    eye.evMin = e.evMin, eye.evMax = e.evMax;
+    return eye;
+}
+
+}  // namespace
+
+bool isDefault(const GpRealtimeOptions& o) {
+    return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
+           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 && o.eyeAdaptation.seconds == 0 &&
+           o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
+}
+
 RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
     checkOthers(o);
     RealtimePlan plan;
     plan.resetHistory = o.realtime.resetHistory != 0;
     plan.antiAliasing =
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
+    plan.lightReuse = LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    constexpr double longestStep = 3600;
+    checkRange(o.realtime.timeStep, 0, longestStep, "options.realtime.timeStep");
+    if (o.realtime.timeStep > 0) plan.timeStep = o.realtime.timeStep;
+    plan.eye = eyeFrom(o.realtime.eyeAdaptation);
     const int32_t mirrors = o.realtime.mirrorLimit;
     if (mirrors < GP_NO_BOUNCES || mirrors > int32_t(mirrorsAtMost))
         fail(GP_ERROR_OUT_OF_RANGE, "options.realtime.mirrorLimit is {}, not in -1..{}", mirrors,
@@ -62,6 +92,7 @@ void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& 
     s.bounceRays = result.rays.bounce;
     s.shadowRays = result.rays.shadow;
     s.secondsRender = result.secondsRender;
+    s.exposureEv = result.exposureEv;
     s.accelerationBytes = scene.backendScene->accelerationBytes();
     frame.passes = result.passes;
     frame.rendered = !result.cancelled;

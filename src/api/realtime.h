@@ -6,6 +6,7 @@
 
 namespace gp::api {
 
+bool isDefault(const GpRealtimeOptions& options);
 // The options that this mode has; throws ApiError for those that it has not.
 RealtimePlan realtimePlanFrom(const GpRenderOptions& options);
 // The size of rays from that of the picture, into plan.frame.

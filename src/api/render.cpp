@@ -62,8 +62,7 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
     const auto refuse = [](const char* field, const char* mode) {
         fail(GP_ERROR_INVALID_ARGUMENT, "options.{} is only for frames of {}", field, mode);
     };
-    const GpRealtimeOptions& r = o.realtime;
-    if (frame.mode != FrameMode::realtime && (r.resetHistory || r.antiAliasing != 0 || r.renderScale != 0 || r.mirrorLimit))
+    if (frame.mode != FrameMode::realtime && !isDefault(o.realtime))
         refuse("realtime", "GP_MODE_REALTIME");
     if (frame.mode == FrameMode::local) {
         if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE or REALTIME");
@@ -169,7 +168,8 @@ double build(SceneObject& scene) {
     return secondsSince(start);
 }
 
-void note(FrameObject& frame, const SceneObject& scene, const RenderResult& result, double build) {
+void note(FrameObject& frame, const SceneObject& scene, const RenderResult& result, double build,
+          float exposureEv) {
     GpFrameStatistics& s = frame.statistics;
     s.samplesPerPixel = result.samplesPerPixel;
     s.cameraRays = result.rays.camera;
@@ -177,6 +177,7 @@ void note(FrameObject& frame, const SceneObject& scene, const RenderResult& resu
     s.shadowRays = result.rays.shadow;
     s.secondsBuild = build;
     s.secondsRender = result.secondsRender;
+    s.exposureEv = exposureEv;
     s.noise = result.noise;
     s.accelerationBytes = scene.backendScene->accelerationBytes();
 }
@@ -231,7 +232,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     frame.scene = scene;
     frame.sceneRevision = scene->scene.revision;
     frame.camera = plan.camera;
-    note(frame, *scene, result, secondsBuild);
+    note(frame, *scene, result, secondsBuild, plan.exposureEv);
     if (result.cancelled)
         fail(GP_ERROR_CANCELLED, "stopped at {} samples a pixel", result.samplesPerPixel);
 }

@@ -6,11 +6,13 @@
 #include <memory>
 #include <string>
 
+#include "frame/eye_adaptation.h"
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
+#include "scene/light_table.h"
 #include "scene/scene.h"
 
 namespace gp {
@@ -28,6 +30,8 @@ public:
     virtual void update(const Scene& scene) = 0;
     virtual uint64_t accelerationBytes() const = 0;
     virtual uint64_t emissiveTriangles() const = 0;
+    // The lights under the numbers that its passes use; the same until the next update.
+    virtual const LightTable& lights() const = 0;
 };
 
 // One real-time frame, as its passes see it.
@@ -56,6 +60,8 @@ public:
                                  const std::atomic<bool>& cancel) = 0;
     // One pass of a real-time frame, over the whole of its images.
     virtual RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) = 0;
+    // How bright the output of a real-time frame is; a part of its pixels, evenly spread.
+    virtual LuminanceHistogram luminanceHistogram(const RealtimeViews& images) = 0;
     // The tone-mapping pass of a real-time frame: `display` from its output.
     virtual void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                                  std::vector<glm::u8vec4>& display) = 0;

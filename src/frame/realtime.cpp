@@ -42,6 +42,9 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.mirror_limit = plan.mirrorLimit;
     c.repeats_draws = 0;
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
+    c.light_reuse = uint32_t(plan.lightReuse);
+    c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
+    c.time_seconds = plan.timeStep;
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = initial;
 #include "shared/denoiser_parameters.def"
@@ -74,7 +77,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         motion_.forget();
         lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
     }
-    motion_.compare(scene);
+    motion_.compare(scene, backendScene.lights());
     previousJitter_ = jitter_;
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
@@ -100,12 +103,16 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     run(RealtimePass::resolve);                                     // smooth edges, output size
 
     const auto displayStart = Clock::now();
-    backend.tonemapRealtime(images_.views(), frame.exposureEv, frame.tonemap, display);
+    result.exposureEv = frame.exposureEv;
+    if (plan.eye.seconds > 0)
+        result.exposureEv += eye_.see(backend.luminanceHistogram(images_.views()), plan.eye,
+                                      plan.timeStep);
+    backend.tonemapRealtime(images_.views(), result.exposureEv, frame.tonemap, display);
     result.passes.push_back({"display", millisecondsSince(displayStart)});
 
     result.cancelled = cancel.load();
     if (!result.cancelled) {
-        motion_.remember(scene);
+        motion_.remember(scene, backendScene.lights());
         previousCamera_ = frame.camera;
         ++index_;
     }

@@ -30,6 +30,8 @@ struct LightGroups {
     float tree;
     float sum;              // of those that a shadow ray chooses among
     float directional_sum;  // the same of the shadow ray that may choose directional lights
+    uint resampled;         // 1: lights that are not directional come from a reservoir, and weights
+                            // between techniques leave out how probable each light was
 };
 
 float directional_importance(IN(LightRecord) record, vec3 normal) {
@@ -77,6 +79,7 @@ LightGroups light_groups(vec3 p, vec3 normal) {
     }
     g.sum = g.environment + g.directional + g.tree;
     g.directional_sum = g.sum;
+    g.resampled = 0u;
     return g;
 }
 
@@ -176,6 +179,7 @@ float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     if (index < f.directional_lights) {
         return directional_importance(load_light(index), normal) * f.directional_visibility / sum;
     }
+    if (g.resampled != 0u) { return 1.0f; }
     float pmf = g.tree / sum;
     uint trail = load_light(index).trail;
     uint node = 0u;
@@ -283,8 +287,8 @@ struct ChosenLight {
     vec2 environment_uv;
 };
 
-ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
-    LightChoice choice = choose_light(g, p, normal, u_choice);
+// The point of light `choice` that u stands for, as seen from p.
+ChosenLight chosen_light_point(IN(LightChoice) choice, vec3 p, vec2 u) {
     ChosenLight c;
     c.light = choice.light;
     c.pmf = choice.pmf;
@@ -302,6 +306,10 @@ ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_c
     c.point.is_delta = 0u;
     c.environment_uv = e.uv;
     return c;
+}
+
+ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
+    return chosen_light_point(choose_light(g, p, normal, u_choice), p, u);
 }
 
 vec3 chosen_light_radiance(IN(ChosenLight) c) {

@@ -86,6 +86,7 @@ private:
         r.kind = LIGHT_DIRECTIONAL, r.direction = glm::normalize(light.direction);
         r.radius = light.angularRadius, r.emission = light.emission;
         table_.lights.push_back(r);
+        table_.sources.push_back(&light);
     }
 
     void addLocal(const Light& light) {
@@ -120,6 +121,7 @@ private:
             }
         }
         push(r, b);
+        table_.sources.push_back(&light);
     }
 
     void addTriangles(uint32_t instanceIndex) {

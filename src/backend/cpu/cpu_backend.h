@@ -33,6 +33,7 @@ public:
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;
     RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) override;
+    LuminanceHistogram luminanceHistogram(const RealtimeViews& images) override;
     void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                          std::vector<glm::u8vec4>& display) override;
     void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;

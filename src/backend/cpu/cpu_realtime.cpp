@@ -27,6 +27,7 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     all.previousInstances = job.motion.instances().data();
     all.previousPositions = job.motion.positions().data();
     all.currentOfPrevious = job.motion.currentOfPrevious().data();
+    all.currentLightOfPrevious = job.motion.currentLightOfPrevious().data();
     all.pass = pass;
 
     const glm::uvec2 size = job.images.size[size_t(sizes[size_t(pass)])];
@@ -47,6 +48,12 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     return counts.combine([](RayCounts a, const RayCounts& b) {
         return RayCounts{a.camera + b.camera, a.bounce + b.bounce, a.shadow + b.shadow};
     });
+}
+
+LuminanceHistogram CpuBackend::luminanceHistogram(const RealtimeViews& images) {
+    LuminanceHistogram histogram{};
+    realtimeKernels_.luminanceHistogram(images, histogram.data());
+    return histogram;
 }
 
 void CpuBackend::tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,

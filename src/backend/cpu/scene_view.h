@@ -108,6 +108,7 @@ struct RealtimeTileJob {
     const shared::PreviousInstance* previousInstances;
     const glm::vec3* const* previousPositions;  // by instance
     const uint32_t* currentOfPrevious;
+    const uint32_t* currentLightOfPrevious;
     RealtimePass pass;
 };
 
@@ -128,6 +129,8 @@ struct LocalKernels {
 
 struct RealtimeKernels {
     TileCounts (*runTile)(const RealtimeTileJob& job);
+    // Every fourth pixel of every fourth row.
+    void (*luminanceHistogram)(const RealtimeViews& images, uint32_t* bins);
     // `count` pixels of the output image, from `first` on.
     void (*tonemap)(const RealtimeViews& images, glm::u8vec4* display, size_t first, size_t count,
                     float exposureEv, uint32_t tonemap);

@@ -14,6 +14,10 @@ public:
     void update(const Scene&) override {}
     uint64_t accelerationBytes() const override { return 0; }
     uint64_t emissiveTriangles() const override { return 0; }
+    const LightTable& lights() const override { return none_; }
+
+private:
+    LightTable none_;
 };
 
 class NullBackend final : public Backend {
@@ -34,6 +38,7 @@ public:
     }
 
     RayCounts runRealtimePass(const RealtimeJob&, RealtimePass) override { return {}; }
+    LuminanceHistogram luminanceHistogram(const RealtimeViews&) override { return {}; }
     void tonemapRealtime(const RealtimeViews&, float, Tonemap,
                          std::vector<glm::u8vec4>& display) override {
         std::fill(display.begin(), display.end(), glm::u8vec4(0, 0, 0, 255));
