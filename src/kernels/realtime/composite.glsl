@@ -5,12 +5,16 @@
 #include "shading/frame.glsl"
 #include "shading/indirect_light.glsl"
 
+// Indirect diffuse light over albedo, at the mapped normal.
+vec3 composite_indirect(ivec2 pixel) {
+    uvec2 normals = load_normal(pixel);
+    return indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel),
+                          octahedral_decode(normals.y), octahedral_decode(normals.x));
+}
+
 void realtime_composite(ivec2 pixel) {
     vec4 emission = load_emission(pixel);
-    uvec2 normals = load_normal(pixel);
-    vec3 diffuse = vec3(load_direct(pixel)) +
-                   indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel),
-                                  octahedral_decode(normals.y), octahedral_decode(normals.x));
+    vec3 diffuse = vec3(load_direct(pixel)) + composite_indirect(pixel);
     vec3 color = vec3(emission) + vec3(load_albedo(pixel)) * diffuse +
                  vec3(load_specular_albedo(pixel)) * vec3(load_specular(pixel));
     store_color(pixel, vec4(max(color, vec3(0.0f)), emission.w));
