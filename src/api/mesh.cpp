@@ -141,12 +141,7 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         gp::Mesh fresh;
         fresh.material = target.material;
         fill(fresh, *desc);
-        target.positions.swap(fresh.positions);
-        target.triangles.swap(fresh.triangles);
-        target.vertices.swap(fresh.vertices);
-        target.uv1.swap(fresh.uv1);
-        target.colors.swap(fresh.colors);
-        ++target.revision;
+        exchangeVertices(target, fresh);
         meshChanged(*object.device, target);
     });
 }

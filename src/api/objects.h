@@ -15,6 +15,7 @@
 #include "backend/backend.h"
 #include "frame/frame_images.h"
 #include "glitterpath/glitterpath.h"
+#include "io/gltf.h"
 #include "scene/bsdf_evaluate.h"
 #include "scene/bsdf_registry.h"
 #include "scene/scene.h"
@@ -22,6 +23,13 @@
 namespace gp::api {
 
 struct SceneObject;
+
+// A file that plays on (gpSetSceneTime).
+struct PlayingFile {
+    std::shared_ptr<io::GltfPlayer> player;
+    size_t firstAnimation = 0;  // where its animations begin in Scene::animations
+    int animation = -1;         // what plays, as GltfOptions::animation
+};
 
 struct DeviceObject final : Object {
     std::unique_ptr<Backend> backend;
@@ -70,6 +78,7 @@ struct SceneObject final : ChildObject {
     std::unordered_set<uint64_t> instanceIds, lightIds;
     std::unordered_map<const Mesh*, uint32_t> dynamicUses;  // instances a dynamic mesh has here
     std::set<std::string> cameraNames;            // keeps the pointers given out where they are
+    std::vector<PlayingFile> playing;
 };
 
 struct InstanceObject final : ChildObject {

@@ -157,4 +157,13 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
     ++mesh.revision;
 }
 
+void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept {
+    mesh.positions.swap(fresh.positions);
+    mesh.triangles.swap(fresh.triangles);
+    mesh.vertices.swap(fresh.vertices);
+    mesh.uv1.swap(fresh.uv1);
+    mesh.colors.swap(fresh.colors);
+    ++mesh.revision;
+}
+
 }  // namespace gp

@@ -50,7 +50,11 @@ struct Mesh {
     size_t vertexCount() const { return vertices.size(); }
 };
 
-// What makeMesh must know of the material to generate tangents.
+// Gives `mesh` the vertices and triangles of `fresh`, which gets the old ones. Whatever a mesh has
+// beside them stays.
+void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept;
+
+// What fillMesh must know of the material to generate tangents.
 struct MeshOptions {
     bool needsTangents = false;  // a normal map or anisotropy is there
     uint32_t tangentUv = 0;      // which uv set they follow
