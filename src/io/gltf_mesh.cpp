@@ -50,6 +50,9 @@ std::shared_ptr<Mesh> Meshes::build(uint32_t meshIndex, uint32_t primitive,
     request.allTargets = keep;
     std::optional<Shape> shape = readShape(m_document, m_accessors, value, request);
     if (!shape) return nullptr;
+    const auto material = value.index("material", "materials");
+    const MeshOptions options = m_materials.meshOptions(material);
+    if (deformer) completeTangents(*shape, options);
     m_document.budget().spend(shape->rest.positions.size() * sizeof(glm::vec3) * 4 +
                                   shape->rest.indices.size() * sizeof(uint32_t),
                               value);
@@ -58,9 +61,7 @@ std::shared_ptr<Mesh> Meshes::build(uint32_t meshIndex, uint32_t primitive,
     out->id = hashBytes(key, sizeof key, owner);
     out->name = mesh.text("name", "mesh " + std::to_string(meshIndex));
     out->kind = kind;
-    const auto material = value.index("material", "materials");
     out->material = m_materials.get(material);
-    const MeshOptions options = m_materials.meshOptions(material);
     if (!keep) {
         if (deformer) deform(*shape, deformer->deformation, shape->rest);
         fillMesh(*out, std::move(shape->rest), options);

@@ -10,14 +10,8 @@ namespace {
 
 constexpr uint32_t modeTriangles = 4, modeStrip = 5, modeFan = 6;
 
-// Every array that has an element for each vertex.
-void forEachArray(auto& shape, const auto& visit) {
-    visit(shape.rest.positions);
-    visit(shape.rest.normals);
-    visit(shape.rest.tangents);
-    visit(shape.rest.uv[0]);
-    visit(shape.rest.uv[1]);
-    visit(shape.rest.colors);
+// Every array that says how a vertex is deformed ...
+void forEachTie(auto& shape, const auto& visit) {
     for (auto& target : shape.targets) {
         visit(target.positions);
         visit(target.normals);
@@ -27,6 +21,17 @@ void forEachArray(auto& shape, const auto& visit) {
         visit(set.joints);
         visit(set.weights);
     }
+}
+
+// ... and these, and all others that have an element for each vertex.
+void forEachArray(auto& shape, const auto& visit) {
+    visit(shape.rest.positions);
+    visit(shape.rest.normals);
+    visit(shape.rest.tangents);
+    visit(shape.rest.uv[0]);
+    visit(shape.rest.uv[1]);
+    visit(shape.rest.colors);
+    forEachTie(shape, visit);
 }
 
 // NaN and infinity in what is not a position do less harm as zero than as an error.
@@ -226,6 +231,18 @@ std::optional<Shape> readShape(Document& document, Accessors& accessors, const V
     }
     dropUnused(shape);
     return shape;
+}
+
+void completeTangents(Shape& shape, const MeshOptions& options) {
+    const std::vector<uint32_t> order = giveTangents(shape.rest, options);
+    if (order.empty()) return;
+    const auto gather = [&](auto& values) {
+        if (values.empty()) return;
+        std::remove_reference_t<decltype(values)> out(order.size());
+        for (size_t i = 0; i < order.size(); ++i) out[i] = values[order[i]];
+        values = std::move(out);
+    };
+    forEachTie(shape, gather);
 }
 
 Skin readSkin(Document& document, Accessors& accessors, uint32_t skin) {

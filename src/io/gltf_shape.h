@@ -47,6 +47,10 @@ struct ShapeRequest {
     size_t joints = 0;               // of the skin; 0: none
 };
 
+// Tangents where the material needs them and the file has none, at rest: the deformation then
+// carries them along, and the triangles have the same vertices at every moment.
+void completeTangents(Shape& shape, const MeshOptions& options);
+
 Skin readSkin(Document& document, Accessors& accessors, uint32_t skin);
 
 // Nothing where the primitive has no triangles.

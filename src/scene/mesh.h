@@ -66,4 +66,9 @@ struct MeshOptions {
 // drops no triangle. Generation may split vertices.
 void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options);
 
+// Generates the tangents that fillMesh would, for what is deformed afterwards: its triangles then
+// keep their vertices over time. Returns, for each vertex that there is now, the one that it was,
+// since generation may split vertices; empty where nothing was to be done.
+std::vector<uint32_t> giveTangents(MeshData& data, const MeshOptions& options);
+
 }  // namespace gp

@@ -237,3 +237,26 @@ TEST(GltfPlayer, Assets) {
         std::printf("%s: %.3f ms a moment\n", file, ms);
     }
 }
+
+// A square whose two triangles mirror their textures, so that its tangents split vertices.
+TEST(GltfPlayer, TrianglesKeepTheirVerticesUnderNormalMaps) {
+    GltfBuilder b = richGltf();
+    nlohmann::json& p = b.json["meshes"][0]["primitives"][0];
+    p["attributes"]["TEXCOORD_0"] = b.vec2s({{0, 0}, {1, 0}, {1, 1}, {1, 0}});
+    const size_t bend = b.vec3s({{0, 0, 0}, {3, 0, 2}, {0, -4, 0}, {0, 0, 5}});
+    p["targets"] = {{{"POSITION", bend}}};
+    const std::string path = written(b, "mirrored.gltf");
+    Playing playing(path);
+    const Mesh& mesh = *playing.scene.instances[0]->mesh;
+    EXPECT_EQ(mesh.vertexCount(), 6u);
+    const std::vector<glm::uvec3> triangles = mesh.triangles;
+    std::vector<glm::vec2> uv;
+    for (const ShadingVertex& v : mesh.vertices) uv.push_back(v.uv);
+    for (const double time : {0.5, 1.0, 1.6}) {
+        playing.goTo(time);
+        EXPECT_EQ(mesh.triangles, triangles) << time;
+        ASSERT_EQ(mesh.vertexCount(), uv.size()) << time;
+        for (size_t v = 0; v < uv.size(); ++v) EXPECT_EQ(mesh.vertices[v].uv, uv[v]);
+        for (const ShadingVertex& v : mesh.vertices) EXPECT_NE(v.tangentOct, 0u);
+    }
+}
