@@ -474,7 +474,8 @@ GP_API GpError gpFrameScene(GpScene scene, float aspect, GpCameraDesc* camera);
 
 typedef enum GpFrameMode {
     GP_MODE_REFERENCE = 0, /* unbiased path tracing */
-    GP_MODE_REALTIME = 1,  /* not there yet: GP_ERROR_UNSUPPORTED */
+    GP_MODE_REALTIME = 1,  /* a few rays a pixel; gpRender makes one frame, and the GpFrame
+                              remembers the ones before: see GpRealtimeOptions */
     GP_MODE_LOCAL = 2      /* what a rasteriser shows: see GpLocalLighting */
 } GpFrameMode;
 
@@ -497,10 +498,12 @@ typedef enum GpFrameImage {
     GP_IMAGE_EMISSION = 5,  /* RGBA32F  radiance of what the camera sees glow, sky included */
     GP_IMAGE_DIRECT = 6,    /* RGBA32F  light after one bounce */
     GP_IMAGE_INDIRECT = 7,  /* RGBA32F  light after more: COLOR = EMISSION + DIRECT + INDIRECT;
-                                        GP_MODE_LOCAL: DIRECT by lamps, INDIRECT ambient */
+                                        GP_MODE_LOCAL: DIRECT by lamps, INDIRECT ambient;
+                                        GP_MODE_REALTIME: INDIRECT diffuse light, DIRECT the rest */
     GP_IMAGE_ROUGHNESS = 8, /* RGBA32F  R roughness, G metallic */
     GP_IMAGE_VARIANCE = 9,  /* RGBA32F  variance of the mean in COLOR, as if samples
-                                        were independent: an upper bound */
+                                        were independent: an upper bound. Not in
+                                        GP_MODE_REALTIME: GP_ERROR_INVALID_OPERATION */
     GP_IMAGE_INSTANCE = 10, /* R32UI    1 + position of the instance in the scene, 0: nothing */
     GP_IMAGE_COUNT = 11
 } GpFrameImage;
@@ -575,6 +578,28 @@ typedef struct GpLocalLighting {
     float ambient[3];             /* radiance from all sides, W/(m^2 sr), >= 0; 0 */
 } GpLocalLighting;
 
+/* GP_MODE_REALTIME: one path a pixel and frame. A pixel has a camera ray that goes on through
+ * mirrors and smooth glass, a shadow ray to a directional light, one to another light, and one ray
+ * by its material, with options.maxBounces (0 = 1) bounces behind it. Objects are matched with the
+ * last frame by the ids of their instances, those without one by their handles; what has moved,
+ * also through gpUpdateMesh, leaves motion vectors. Cameras are pinholes here: apertureRadius does
+ * not count. Of GpRenderOptions samplesPerPixel, timeLimit, noiseTarget, pixelFilter,
+ * pixelFilterRadius and accumulate are for other modes. */
+typedef enum GpAntiAliasing {
+    GP_AA_TEMPORAL = 0, /* rays move within their pixels, and each picture goes on from the last */
+    GP_AA_NONE = 1,     /* rays go through the middle of their pixels */
+    GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
+} GpAntiAliasing;
+
+typedef struct GpRealtimeOptions {
+    int32_t resetHistory;   /* not 0: nothing of earlier frames is used, as after a cut */
+    GpAntiAliasing antiAliasing;
+    float renderScale;      /* rays along each side of the picture for a pixel: 0.5..1, 0 = 1. Below
+                               1 the picture is scaled up over time; a change forgets history */
+    int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
+                               that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
+} GpRealtimeOptions;
+
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
  * render stops with GP_ERROR_CANCELLED and keeps its samples. */
 typedef int (*GpProgressCallback)(void* user, const GpProgress* progress);
@@ -597,6 +622,7 @@ typedef struct GpRenderOptions {
                                   another camera, is GP_ERROR_INVALID_OPERATION */
     GpProgressCallback progress;
     void* progressUser;
+    GpRealtimeOptions realtime; /* for GP_MODE_REALTIME */
     GpLocalLighting local;     /* for GP_MODE_LOCAL, which in turn has no maxBounces, clamp or
                                   noRussianRoulette: GP_ERROR_INVALID_ARGUMENT where set */
 } GpRenderOptions;
@@ -635,6 +661,27 @@ typedef struct GpFrameStatistics {
 } GpFrameStatistics;
 
 GP_API GpError gpGetFrameStatistics(GpFrame frame, GpFrameStatistics* statistics);
+
+typedef struct GpPassTime {
+    const char* name;      /* static */
+    double milliseconds;
+} GpPassTime;
+
+/* The passes of the last gpRender of a GP_MODE_REALTIME frame in their order. *count receives how
+ * many there are; at most `capacity` of them are written to times, which may be NULL if that is 0.
+ * Other modes have none. */
+GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacity,
+                              uint32_t* count);
+
+/* Any image that a GP_MODE_REALTIME frame keeps, by name, as RGBA32F of the frame's size: for
+ * looking into it. Whole numbers are converted to floats, normals and directions to xyz, `hit` to
+ * instance and triangle, `material` to roughness, metallic, flags and mirrors. Images with a pixel
+ * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
+ * message names the nearest known one. */
+GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
+/* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
+ * Needs no device. */
+GP_API GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** meaning);
 
 /* ------------------------------------------------------------------------------- image files */
 

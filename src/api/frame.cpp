@@ -30,19 +30,29 @@ void checkFits(uint64_t bytes) {
              bytes);
 }
 
+// At least; images of blocks are rounded up.
+size_t bytesPerPixelOf(FrameMode mode) {
+    return sizeof(glm::u8vec4) +
+           (mode == FrameMode::realtime ? RealtimeImages::bytesPerPixel() : sizeof(PixelSums));
+}
+
 GpFrame newFrame(DeviceObject& device, const GpFrameDesc& desc) {
     checkImageSize(desc.width, desc.height, sideLimit, uint64_t(sideLimit) * sideLimit);
     const auto mode = FrameMode(checkEnum(desc.mode, 3, "mode"));
-    if (mode == FrameMode::realtime)
-        fail(GP_ERROR_UNSUPPORTED, "this version has no real-time mode");
     auto object = std::make_shared<FrameObject>(device);
     object->mode = mode;
     FrameImages& images = object->images;
     images.width = desc.width;
     images.height = desc.height;
-    const uint64_t bytes = images.pixelCount() * (sizeof(PixelSums) + sizeof(glm::u8vec4));
+    const uint64_t bytes = images.pixelCount() * bytesPerPixelOf(mode);
     checkFits(bytes);
-    images.sums.resize(images.pixelCount());
+    if (mode == FrameMode::realtime) {
+        object->realtime = std::make_unique<RealtimeFrame>();
+        const glm::ivec2 size(int(desc.width), int(desc.height));
+        object->realtime->resize(size, size);
+    } else {
+        images.sums.resize(images.pixelCount());
+    }
     images.display.resize(images.pixelCount());
     object->statistics.noise = -1;
     object->statistics.frameBytes = bytes;
@@ -91,7 +101,11 @@ GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap) {
         const float ev = checkExposure(exposureEv);
         const auto curve = gp::Tonemap(checkEnum(tonemap, 4, "tonemap"));
         checkRendered(f);
-        f.device->backend->tonemap(ev, curve, f.images);
+        gp::Backend& backend = *f.device->backend;
+        if (f.realtime)
+            backend.tonemapRealtime(f.realtime->images().views(), ev, curve, f.images.display);
+        else
+            backend.tonemap(ev, curve, f.images);
     });
 }
 
@@ -104,7 +118,7 @@ GpError gpReadFrameImage(GpFrame frame, GpFrameImage image, void* pixels, size_t
         if (size < needed)
             fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the image has {} bytes", size,
                  needed);
-        gp::readFrameImage(f.images, which, pixels);
+        readImage(f, which, pixels);
     });
 }
 

@@ -14,6 +14,7 @@
 #include "api/handle.h"
 #include "backend/backend.h"
 #include "frame/frame_images.h"
+#include "frame/realtime.h"
 #include "glitterpath/glitterpath.h"
 #include "io/gltf.h"
 #include "scene/bsdf_evaluate.h"
@@ -97,6 +98,8 @@ struct FrameObject final : ChildObject {
     using ChildObject::ChildObject;
     FrameImages images;
     FrameMode mode = FrameMode::reference;
+    std::unique_ptr<RealtimeFrame> realtime;  // FrameMode::realtime
+    std::vector<PassTime> passes;             // of its last frame
     bool rendered = false;           // there is something to read
     GpFrameStatistics statistics{};
     // What the samples show, so that accumulating something else is noticed.

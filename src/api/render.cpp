@@ -4,6 +4,7 @@
 
 #include "api/check.h"
 #include "api/frames.h"
+#include "api/realtime.h"
 #include "api/scenes.h"
 #include "frame/render.h"
 #include "scene/sky.h"
@@ -61,10 +62,15 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
     const auto refuse = [](const char* field, const char* mode) {
         fail(GP_ERROR_INVALID_ARGUMENT, "options.{} is only for frames of {}", field, mode);
     };
+    const GpRealtimeOptions& r = o.realtime;
+    const bool realtime =
+        r.resetHistory || r.antiAliasing != 0 || r.renderScale != 0 || r.mirrorLimit != 0;
+    if (frame.mode != FrameMode::realtime && realtime)
+        refuse("realtime", "GP_MODE_REALTIME");
     if (frame.mode == FrameMode::local) {
-        if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE");
-        if (o.clamp != 0) refuse("clamp", "GP_MODE_REFERENCE");
-        if (o.noRussianRoulette != 0) refuse("noRussianRoulette", "GP_MODE_REFERENCE");
+        if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE or REALTIME");
+        if (o.clamp != 0) refuse("clamp", "GP_MODE_REFERENCE or REALTIME");
+        if (o.noRussianRoulette != 0) refuse("noRussianRoulette", "GP_MODE_REFERENCE or REALTIME");
         return;
     }
     if (o.local.model) refuse("local.model", "GP_MODE_LOCAL");
@@ -204,6 +210,16 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
 
     std::atomic<bool>& cancel = *frame.device->cancel;
     cancel.store(false);
+    if (frame.mode == FrameMode::realtime) {
+        RealtimePlan realtime = realtimePlanFrom(options);
+        if (options.maxBounces == 0) plan.maxBounces = 1;
+        plan.lastByLights = true;
+        realtime.frame = plan;
+        setSizes(realtime, options, {plan.width, plan.height});
+        frame.statistics.secondsBuild = build(*scene);
+        renderRealtime(frame, *scene, realtime);
+        return;
+    }
     const double secondsBuild = build(*scene);
     RenderResult result;
     try {

@@ -25,11 +25,11 @@ FileEnding endingOf(const char* path) {
 namespace {
 
 // The whole of an image as floats, without the channels that its layer does not name.
-std::vector<float> layerPixels(const FrameImages& images, FrameImage which, size_t channels) {
+std::vector<float> layerPixels(const FrameObject& frame, FrameImage which, size_t channels) {
     const FrameImageInfo& info = frameImageInfo(which);
-    const size_t count = images.pixelCount();
+    const size_t count = frame.images.pixelCount();
     std::vector<std::byte> raw(count * info.bytesPerPixel);
-    readFrameImage(images, which, raw.data());
+    readImage(frame, which, raw.data());
     const size_t stride = info.format == FrameImageFormat::rgba32f ||
                           info.format == FrameImageFormat::rgba8 ? 4 : 1;
     std::vector<float> pixels(count * channels);
@@ -61,19 +61,19 @@ bool needsFullFloat(uint32_t layers) {
     return (layers & ((1u << GP_IMAGE_DEPTH) | (1u << GP_IMAGE_INSTANCE))) != 0;
 }
 
-void saveLayers(const FrameImages& images, const char* path, const GpSaveOptions& options) {
+void saveLayers(const FrameObject& frame, const char* path, const GpSaveOptions& options) {
     std::deque<std::vector<float>> pixels;  // stays where it is while layers point into it
     std::vector<io::ImageLayer> layers;
     const auto add = [&](FrameImage which, const char* name) {
         const std::string channels = channelsOf(which);
-        pixels.push_back(layerPixels(images, which, channels.size()));
+        pixels.push_back(layerPixels(frame, which, channels.size()));
         layers.push_back({name, channels, pixels.back().data()});
     };
     add(FrameImage::color, "");
     for (uint32_t i = 1; i < GP_IMAGE_COUNT; ++i)
         if (options.layers & (1u << i)) add(FrameImage(i), frameImageInfo(FrameImage(i)).name);
     const bool full = options.fullFloat || needsFullFloat(options.layers);
-    io::saveExr(path, images.width, images.height, layers,
+    io::saveExr(path, frame.images.width, frame.images.height, layers,
                 full ? io::ExrPixel::float32 : io::ExrPixel::half);
 }
 
@@ -86,10 +86,10 @@ void save(const FrameObject& frame, const char* path, const GpSaveOptions& optio
         fail(GP_ERROR_INVALID_ARGUMENT, "options.layers: only .exr files have layers");
     checkRendered(frame);
     const FrameImages& images = frame.images;
-    if (ending == FileEnding::exr) return saveLayers(images, path, options);
+    if (ending == FileEnding::exr) return saveLayers(frame, path, options);
     if (ending == FileEnding::png)
         return io::savePng(path, images.width, images.height, &images.display[0].x);
-    const std::vector<float> color = layerPixels(images, FrameImage::color, 4);
+    const std::vector<float> color = layerPixels(frame, FrameImage::color, 4);
     io::saveHdr(path, images.width, images.height, color.data());
 }
 

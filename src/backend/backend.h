@@ -8,6 +8,9 @@
 
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
+#include "frame/realtime_images.h"
+#include "frame/realtime_plan.h"
+#include "frame/scene_motion.h"
 #include "scene/scene.h"
 
 namespace gp {
@@ -27,6 +30,16 @@ public:
     virtual uint64_t emissiveTriangles() const = 0;
 };
 
+// One real-time frame, as its passes see it.
+struct RealtimeJob {
+    const BackendScene& scene;
+    const FramePlan& frame;
+    const Camera& previousCamera;
+    const shared::RealtimeConstants& constants;
+    const SceneMotion& motion;
+    const RealtimeViews& images;
+};
+
 class Backend {
 public:
     virtual ~Backend() = default;
@@ -41,6 +54,11 @@ public:
     virtual RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                                  uint32_t count, FrameImages& images,
                                  const std::atomic<bool>& cancel) = 0;
+    // One pass of a real-time frame, over the whole of its images.
+    virtual RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) = 0;
+    // The tone-mapping pass of a real-time frame: `display` from its output.
+    virtual void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
+                                 std::vector<glm::u8vec4>& display) = 0;
     // The tone-mapping pass: images.display from images.sums.
     virtual void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) = 0;
 };

@@ -42,6 +42,7 @@ struct FramePlan {
     float pixelFilterRadius = 1.5f;
     float clampIndirect = 0;        // 0: off
     bool russianRoulette = true;
+    bool lastByLights = false;      // the last surface of a path has a shadow ray only
     float exposureEv = 0;
     Tonemap tonemap = Tonemap::agx;
     bool accumulate = false;

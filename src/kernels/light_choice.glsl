@@ -28,6 +28,8 @@ struct LightGroups {
     float environment;
     float directional;
     float tree;
+    float sum;              // of those that a shadow ray chooses among
+    float directional_sum;  // the same of the shadow ray that may choose directional lights
 };
 
 float directional_importance(IN(LightRecord) record, vec3 normal) {
@@ -73,6 +75,30 @@ LightGroups light_groups(vec3 p, vec3 normal) {
                      ? clamp(importance, 0.1f * others, 10.0f * others)
                      : importance;
     }
+    g.sum = g.environment + g.directional + g.tree;
+    g.directional_sum = g.sum;
+    return g;
+}
+
+// With a shadow ray for directional lights and another for all else.
+LightGroups light_groups_apart(IN(LightGroups) g) {
+    LightGroups apart = g;
+    apart.sum = g.environment + g.tree;
+    apart.directional_sum = g.directional;
+    return apart;
+}
+
+LightGroups light_groups_directional(IN(LightGroups) apart) {
+    LightGroups g = apart;
+    g.environment = 0.0f;
+    g.tree = 0.0f;
+    g.sum = apart.directional_sum;
+    return g;
+}
+
+LightGroups light_groups_others(IN(LightGroups) apart) {
+    LightGroups g = apart;
+    g.directional = 0.0f;
     return g;
 }
 
@@ -81,10 +107,6 @@ uint light_group(uint light) {
     LET_REF(FrameConstants) f = load_frame();
     if (light == LIGHT_ENVIRONMENT) { return 0u; }
     return light < f.directional_lights ? 1u : 2u;
-}
-
-float light_groups_sum(IN(LightGroups) g) {
-    return g.environment + g.directional + g.tree;
 }
 
 // Down the tree: u is stretched anew at every turn.
@@ -119,7 +141,7 @@ LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
     LightChoice choice;
     choice.light = NO_INDEX;
     choice.pmf = 0.0f;
-    float sum = light_groups_sum(g);
+    float sum = g.sum;
     if (!(sum > 0.0f)) { return choice; }
     float x = u * sum;
     if (x < g.environment) {
@@ -149,7 +171,7 @@ LightChoice choose_light(IN(LightGroups) g, vec3 p, vec3 normal, float u) {
 // The probability of choosing light `index` from p.
 float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     LET_REF(FrameConstants) f = load_frame();
-    float sum = light_groups_sum(g);
+    float sum = index < f.directional_lights ? g.directional_sum : g.sum;
     if (!(sum > 0.0f)) { return 0.0f; }
     if (index < f.directional_lights) {
         return directional_importance(load_light(index), normal) * f.directional_visibility / sum;

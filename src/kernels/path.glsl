@@ -98,7 +98,7 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
         EnvironmentLight sky = environment_light(direction, from.pdf > 0.0f);
         light = sky.radiance;
         if (from.pdf > 0.0f) {
-            float chosen = from.groups.environment / light_groups_sum(from.groups);
+            float chosen = from.groups.environment / from.groups.sum;
             light *= mis_power(from.pdf, chosen * sky.pdf);
         }
     }
@@ -180,27 +180,41 @@ Ray shadow_ray(IN(Surface) s, IN(LightSample) light) {
     return ray;
 }
 
+// Light that a shadow ray brought to a surface: what the surface does with it is f_cos.
+struct ShadowedLight {
+    vec3 light;     // radiance over density, weighted; zero: none arrives
+    vec3 wi_local;
+    vec3 f_cos;
+};
+
 // The shadow ray of a surface to the light chosen for it; `attenuation` is that of the medium on
-// wo's side. Returns reflected radiance, without the path's throughput.
-vec3 shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) choice, vec3 wo_local,
-                    vec3 wo, vec3 attenuation, bool weigh) {
+// wo's side.
+ShadowedLight shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) choice,
+                             vec3 wo_local, vec3 wo, vec3 attenuation, bool weigh) {
     LET_REF(LightSample) light = choice.point;
-    if (light.pdf <= 0.0f) { return vec3(0.0f); }
-    vec3 wi_local = local_from_world(p.frame, light.wi);
-    if (!sides_agree(s, wo, light.wi, wo_local, wi_local)) { return vec3(0.0f); }
-    BsdfValue value = bsdf_eval(p.bsdf, wo_local, wi_local);
-    vec3 radiance = value.f_cos * chosen_light_radiance(choice);
-    if (!(max_component(radiance) > 0.0f)) { return vec3(0.0f); }
+    ShadowedLight arrived;
+    arrived.light = vec3(0.0f);
+    arrived.wi_local = vec3(0.0f);
+    arrived.f_cos = vec3(0.0f);
+    if (light.pdf <= 0.0f) { return arrived; }
+    arrived.wi_local = local_from_world(p.frame, light.wi);
+    if (!sides_agree(s, wo, light.wi, wo_local, arrived.wi_local)) { return arrived; }
+    BsdfValue value = bsdf_eval(p.bsdf, wo_local, arrived.wi_local);
+    vec3 radiance = chosen_light_radiance(choice);
+    float strongest = max_component(value.f_cos * radiance);
+    if (!(strongest > 0.0f)) { return arrived; }
+    arrived.f_cos = value.f_cos;
     float density = choice.pmf * light.pdf;
     float w = light.is_delta != 0u || !weigh ? 1.0f : mis_power(density, value.pdf);
     float visible = trace_visible(shadow_ray(s, light));
-    note_shadow_ray(light_group(choice.light), max_component(radiance) / density, visible);
+    note_shadow_ray(light_group(choice.light), strongest / density, visible);
     // What surrounds the surface absorbs; infinitely far light is never inside of a body.
-    bool reflected = (wi_local.z > 0.0f) == (wo_local.z > 0.0f);
+    bool reflected = (arrived.wi_local.z > 0.0f) == (wo_local.z > 0.0f);
     if (reflected && attenuation != vec3(0.0f) && light.distance < FLOAT_MAX) {
         radiance *= medium_transmittance(attenuation, light.distance);
     }
-    return radiance * (w / density * visible);
+    arrived.light = radiance * (w / density * visible);
+    return arrived;
 }
 
 // `ray`: the camera's, `cone`: its cone.
@@ -321,10 +335,14 @@ void path_scatter(INOUT(PathState) path) {
     vec3 wo_local = local_from_world(p.frame, wo);
     // The last surface's own ray would only weigh against the shadow ray: where that finds
     // infinitely far light well by itself, it is left out.
-    bool last = path.depth == f.max_bounces && f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT;
+    bool last = path.depth == f.max_bounces &&
+                (f.last_by_lights != 0u ||
+                 (f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT));
     if (!bsdf_is_specular(p.bsdf)) {
-        vec3 direct = shadowed_light(s, p, light, wo_local, wo, path.attenuation, !last);
-        path.light = add_light(path.light, path.throughput * direct, path.depth + 1u);
+        ShadowedLight arrived =
+            shadowed_light(s, p, light, wo_local, wo, path.attenuation, !last);
+        path.light = add_light(path.light, path.throughput * (arrived.f_cos * arrived.light),
+                               path.depth + 1u);
         if (last) { return; }
     }
     BsdfSample b = bsdf_sample(p.bsdf, wo_local, u_choices.y,

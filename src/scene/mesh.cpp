@@ -176,6 +176,9 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
 }
 
 void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept {
+    const bool joined = mesh.triangles == fresh.triangles &&
+                        mesh.positions.size() == fresh.positions.size();
+    if (!joined) ++mesh.topologyRevision;
     mesh.positions.swap(fresh.positions);
     mesh.triangles.swap(fresh.triangles);
     mesh.vertices.swap(fresh.vertices);

@@ -45,7 +45,8 @@ struct Mesh {
     std::vector<ShadingVertex> vertices;
     std::vector<glm::vec2> uv1;        // empty: none
     std::vector<glm::u8vec4> colors;   // linear RGBA, unorm; empty: none
-    uint64_t revision = 0;             // grows each time the vertices change
+    uint64_t revision = 0;             // grows each time the vertices change,
+    uint64_t topologyRevision = 0;     // this one when the triangles join other vertices too
 
     size_t vertexCount() const { return vertices.size(); }
 };

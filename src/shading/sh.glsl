@@ -4,6 +4,7 @@
 #ifndef GP_SHADING_SH_GLSL
 #define GP_SHADING_SH_GLSL
 #include "shading/constants.glsl"
+#include "shading/ycocg.glsl"
 
 #define SH_Y0 0.282094791773878143474f  // sqrt(1 / (4 pi))
 #define SH_Y1 0.488602511902919921586f  // sqrt(3 / (4 pi))
@@ -61,7 +62,6 @@ vec3 sh_rgb_irradiance(IN(ShRgb) sh, vec3 n) {
 }
 
 // Half of the memory: directions for luma only, and one mean chroma: exact for light of one colour.
-// Co and Cg are those of YCoCg, whose luma is (r + 2 g + b) / 4.
 struct ShLuma {
     vec4 luma;
     vec2 chroma;  // Co and Cg of band 0
@@ -75,12 +75,10 @@ ShLuma sh_luma_zero() {
 }
 
 ShLuma sh_luma_add(IN(ShLuma) sh, vec3 d, vec3 power) {
-    float co = power.x - power.z;
-    float between = power.z + 0.5f * co;
-    float cg = power.y - between;
+    vec3 c = ycocg_from_rgb(power);
     ShLuma sum;
-    sum.luma = sh.luma + sh_basis(d) * (between + 0.5f * cg);
-    sum.chroma = sh.chroma + SH_Y0 * vec2(co, cg);
+    sum.luma = sh.luma + sh_basis(d) * c.x;
+    sum.chroma = sh.chroma + SH_Y0 * vec2(c.y, c.z);
     return sum;
 }
 
@@ -88,11 +86,7 @@ ShLuma sh_luma_add(IN(ShLuma) sh, vec3 d, vec3 power) {
 vec3 sh_luma_colour(IN(ShLuma) sh, float y) {
     float luma = max(y, 0.0f);
     float share = sh.luma.x > 0.0f ? luma / sh.luma.x : 0.0f;
-    float co = sh.chroma.x * share;
-    float cg = sh.chroma.y * share;
-    float between = luma - 0.5f * cg;
-    float blue = between - 0.5f * co;
-    return max(vec3(blue + co, cg + between, blue), vec3(0.0f));
+    return max(rgb_from_ycocg(vec3(luma, sh.chroma * share)), vec3(0.0f));
 }
 
 vec3 sh_luma_irradiance(IN(ShLuma) sh, vec3 n) {

@@ -7,6 +7,7 @@
 #include "shading/trigonometry.glsl"
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
+#include "shading/ycocg.glsl"
 #include "shading/sh.glsl"
 
 #include "shading/sampling/hash.glsl"
@@ -55,5 +56,6 @@
 #include "shading/microfacet/mirror_albedo.glsl"
 #include "shading/bsdf/bsdf.glsl"
 #include "shading/bsdf/blend.glsl"
+#include "shading/bsdf/diffuse_part.glsl"
 
 #endif

@@ -212,6 +212,7 @@ struct FrameConstants {
     float directional_visibility;  // before the first sample: FramePlan::lightVisibility
     float tree_visibility;
     uint environment_cells;    // along each side of its sampling table; 0: uniform
+    uint last_by_lights;       // 1: the last surface of a path has a shadow ray, but no other ray
 };
 
 // Where GP_MODE_LOCAL computes light: GpShadingFrequency.

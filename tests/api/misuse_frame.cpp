@@ -57,11 +57,33 @@ Rows frameHandleRows() {
     addHandleRows<GpFrame>(rows, "gpSaveFrame", "frame", [](World& w, GpFrame f) {
         return gpSaveFrame(f, (w.folder + "gp_misuse.png").c_str(), nullptr);
     });
+    addHandleRows<GpFrame>(rows, "gpGetPassTimes", "frame", [](World&, GpFrame f) {
+        uint32_t count;
+        return gpGetPassTimes(f, nullptr, 0, &count);
+    });
+    addHandleRows<GpFrame>(rows, "gpReadFrameLayer", "frame", [](World&, GpFrame f) {
+        float pixel[4];
+        return gpReadFrameLayer(f, "motion", pixel, sizeof pixel);
+    });
     addHandleRows<GpFrame>(rows, "gpGetFrameStatistics", "frame", [](World&, GpFrame f) {
         GpFrameStatistics statistics;
         return gpGetFrameStatistics(f, &statistics);
     });
     return rows;
+}
+
+// Something asked of a rendered real-time frame of 2 x 2 pixels.
+Row realtimeRow(const char* call, const char* what, GpError expected, const char* message,
+                GpError (*ask)(GpFrame)) {
+    return {call, what, expected, message, [ask](World& w) {
+                GpFrameDesc desc{};
+                desc.width = desc.height = 2;
+                desc.mode = GP_MODE_REALTIME;
+                const GpFrame frame = gpNewFrame(w.device, &desc);
+                if (gpRender(frame, w.scene, nullptr, nullptr) != GP_SUCCESS)
+                    return GP_SUCCESS;  // not what is asked for here
+                return ask(frame);
+            }};
 }
 
 }  // namespace
@@ -74,8 +96,51 @@ Rows frameRows() {
         frameRow("no height", GP_ERROR_INVALID_ARGUMENT, "height is 0", 1, 0),
         frameRow("too wide", GP_ERROR_TOO_LARGE, "width is 16385", 16385, 1),
         frameRow("too high", GP_ERROR_TOO_LARGE, "height", 1, UINT32_MAX),
-        frameRow("real time", GP_ERROR_UNSUPPORTED, "real-time", 1, 1, GP_MODE_REALTIME),
         frameRow("unknown mode", GP_ERROR_INVALID_ARGUMENT, "mode", 1, 1, anyEnum<GpFrameMode>(3)),
+        {"gpGetPassTimes", "no place for the count", GP_ERROR_INVALID_ARGUMENT, "count is NULL",
+         [](World& w) { return gpGetPassTimes(w.frame, nullptr, 0, nullptr); }},
+        {"gpGetPassTimes", "no place for the times", GP_ERROR_INVALID_ARGUMENT, "times is NULL",
+         [](World& w) {
+             uint32_t count;
+             return gpGetPassTimes(w.frame, nullptr, 3, &count);
+         }},
+        {"gpReadFrameLayer", "of the reference", GP_ERROR_INVALID_OPERATION, "GP_MODE_REALTIME",
+         [](World& w) {
+             float pixel[4];
+             return gpReadFrameLayer(w.frame, "motion", pixel, sizeof pixel);
+         }},
+        {"gpReadFrameLayer", "no name", GP_ERROR_INVALID_ARGUMENT, "name is NULL",
+         [](World& w) {
+             float pixel[4];
+             return gpReadFrameLayer(w.frame, nullptr, pixel, sizeof pixel);
+         }},
+        {"gpReadFrameLayer", "no place for it", GP_ERROR_INVALID_ARGUMENT, "pixels is NULL",
+         [](World& w) { return gpReadFrameLayer(w.frame, "motion", nullptr, 16); }},
+        realtimeRow("gpReadFrameLayer", "unknown layer", GP_ERROR_INVALID_ARGUMENT,
+                    "did you mean motion?", [](GpFrame f) {
+                        float pixels[16];
+                        return gpReadFrameLayer(f, "motoin", pixels, sizeof pixels);
+                    }),
+        realtimeRow("gpReadFrameLayer", "too small a place", GP_ERROR_INVALID_OPERATION,
+                    "has 64 bytes", [](GpFrame f) {
+                        float pixels[16];
+                        return gpReadFrameLayer(f, "motion", pixels, sizeof pixels - 1);
+                    }),
+        realtimeRow("gpReadFrameImage", "variance of real time", GP_ERROR_INVALID_OPERATION,
+                    "no variance image", [](GpFrame f) {
+                        float pixels[16];
+                        return gpReadFrameImage(f, GP_IMAGE_VARIANCE, pixels, sizeof pixels);
+                    }),
+        {"gpGetFrameLayerInfo", "behind the last", GP_ERROR_OUT_OF_RANGE, "index is 1000",
+         [](World&) {
+             const char *name, *meaning;
+             return gpGetFrameLayerInfo(1000, &name, &meaning);
+         }},
+        {"gpGetFrameLayerInfo", "no place for the name", GP_ERROR_INVALID_ARGUMENT, "name is NULL",
+         [](World&) {
+             const char* meaning;
+             return gpGetFrameLayerInfo(0, nullptr, &meaning);
+         }},
         {"gpGetImageInfo", "unknown image", GP_ERROR_INVALID_ARGUMENT, "image is 11",
          [](World&) {
              GpImageInfo info;

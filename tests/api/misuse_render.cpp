@@ -32,6 +32,19 @@ Row localRow(const char* what, GpError expected, const char* message,
             }};
 }
 
+// The same for a frame of GP_MODE_REALTIME.
+Row realtimeRow(const char* what, GpError expected, const char* message,
+                void (*change)(GpRenderOptions&)) {
+    return {"gpRender", what, expected, message, [change](World& w) {
+                GpFrameDesc desc{};
+                desc.width = desc.height = 2;
+                desc.mode = GP_MODE_REALTIME;
+                GpRenderOptions options{};
+                change(options);
+                return gpRender(gpNewFrame(w.device, &desc), w.scene, nullptr, &options);
+            }};
+}
+
 Row cameraRow(const char* what, GpError expected, const char* message,
               void (*change)(GpCameraDesc&)) {
     return {"gpRender", what, expected, message, [change](World& w) {
@@ -49,6 +62,43 @@ Row accumulateRow(const char* what, GpError expected, const char* message,
                 options.accumulate = 1;
                 return render(w, options);
             }};
+}
+
+void addRealtimeRows(Rows& rows) {
+    const char* const refused = "is not for frames of GP_MODE_REALTIME";
+    const Rows more = {
+        optionRow("options of real time for the reference", GP_ERROR_INVALID_ARGUMENT,
+                  "options.realtime is only for", [](GpRenderOptions& o) {
+                      o.realtime.mirrorLimit = 2;
+                  }),
+        realtimeRow("several samples in real time", GP_ERROR_INVALID_ARGUMENT, refused,
+                    [](GpRenderOptions& o) { o.samplesPerPixel = 2; }),
+        realtimeRow("a time limit in real time", GP_ERROR_INVALID_ARGUMENT, refused,
+                    [](GpRenderOptions& o) { o.timeLimit = 1; }),
+        realtimeRow("a noise target in real time", GP_ERROR_INVALID_ARGUMENT, refused,
+                    [](GpRenderOptions& o) { o.noiseTarget = 0.1; }),
+        realtimeRow("a pixel filter in real time", GP_ERROR_INVALID_ARGUMENT, refused,
+                    [](GpRenderOptions& o) { o.pixelFilter = GP_PIXEL_BOX; }),
+        realtimeRow("a filter's radius in real time", GP_ERROR_INVALID_ARGUMENT, refused,
+                    [](GpRenderOptions& o) { o.pixelFilterRadius = 1; }),
+        realtimeRow("accumulation in real time", GP_ERROR_INVALID_ARGUMENT, refused,
+                    [](GpRenderOptions& o) { o.accumulate = 1; }),
+        realtimeRow("local lighting in real time", GP_ERROR_INVALID_ARGUMENT, "local.ambient",
+                    [](GpRenderOptions& o) { o.local.ambient[0] = 1; }),
+        realtimeRow("too many mirrors", GP_ERROR_OUT_OF_RANGE, "mirrorLimit is 17",
+                    [](GpRenderOptions& o) { o.realtime.mirrorLimit = 17; }),
+        realtimeRow("fewer than no mirrors", GP_ERROR_OUT_OF_RANGE, "mirrorLimit is -2",
+                    [](GpRenderOptions& o) { o.realtime.mirrorLimit = -2; }),
+        realtimeRow("too few rays", GP_ERROR_OUT_OF_RANGE, "renderScale is 0.4",
+                    [](GpRenderOptions& o) { o.realtime.renderScale = 0.4f; }),
+        realtimeRow("a scale that is no number", GP_ERROR_NOT_FINITE, "renderScale",
+                    [](GpRenderOptions& o) { o.realtime.renderScale = nanf; }),
+        realtimeRow("unknown anti-aliasing", GP_ERROR_INVALID_ARGUMENT, "antiAliasing is 3",
+                    [](GpRenderOptions& o) {
+                        o.realtime.antiAliasing = anyEnum<GpAntiAliasing>(3);
+                    }),
+    };
+    rows.insert(rows.end(), more.begin(), more.end());
 }
 
 void addOptionRows(Rows& rows) {
@@ -189,6 +239,7 @@ Rows renderRows() {
     };
     addOptionRows(rows);
     addLocalRows(rows);
+    addRealtimeRows(rows);
     addCameraRows(rows);
     addHandleRows<GpFrame>(rows, "gpRender", "frame", [](World& w, GpFrame f) {
         return gpRender(f, w.scene, nullptr, nullptr);

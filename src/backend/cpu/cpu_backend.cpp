@@ -4,11 +4,9 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <pmmintrin.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <xmmintrin.h>
 
 #include "backend/cpu/cpu_backend.h"
 #include "scene/bsdf_settings.h"
@@ -20,6 +18,9 @@ extern const IsaKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
 namespace local {
 extern const LocalKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
 }
+namespace realtime {
+extern const RealtimeKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
+}
 
 namespace {
 
@@ -28,6 +29,7 @@ constexpr uint32_t tileSize = 8;
 struct InstructionSet {
     const IsaKernels* kernels;
     const LocalKernels* localKernels;
+    const RealtimeKernels* realtimeKernels;
     const char* embreeName;
     bool here;  // this processor has it
 };
@@ -39,9 +41,9 @@ std::vector<InstructionSet> instructionSets() {
     const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
                         __builtin_cpu_supports("avx512vl");
-    return {{&kernelsAvx512, &local::kernelsAvx512, "avx512", avx512},
-            {&kernelsAvx2, &local::kernelsAvx2, "avx2", avx2},
-            {&kernelsX86_64, &local::kernelsX86_64, "sse2", true}};
+    return {{&kernelsAvx512, &local::kernelsAvx512, &realtime::kernelsAvx512, "avx512", avx512},
+            {&kernelsAvx2, &local::kernelsAvx2, &realtime::kernelsAvx2, "avx2", avx2},
+            {&kernelsX86_64, &local::kernelsX86_64, &realtime::kernelsX86_64, "sse2", true}};
 }
 
 InstructionSet chooseInstructionSet(const std::string& wanted) {
@@ -56,16 +58,6 @@ InstructionSet chooseInstructionSet(const std::string& wanted) {
         "unknown instruction set \"{}\": x86-64, avx2 and avx512 are there", wanted));
 }
 
-// Embree wants both set on every thread that traces.
-struct DenormalsOff {
-    unsigned before = _mm_getcsr();
-    DenormalsOff() {
-        _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-        _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-    }
-    ~DenormalsOff() { _mm_setcsr(before); }
-};
-
 uint32_t filterOf(PixelFilter filter) {
     switch (filter) {
         case PixelFilter::box: return FILTER_BOX;
@@ -74,6 +66,8 @@ uint32_t filterOf(PixelFilter filter) {
         default: return FILTER_BLACKMAN_HARRIS;
     }
 }
+
+}  // namespace
 
 shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan) {
     shared::FrameConstants f{};
@@ -94,8 +88,11 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.environment_color = view.environmentColor;
     f.environment_cos = view.environmentCos, f.environment_sin = view.environmentSin;
     f.environment_cells = view.environment.side;
+    f.last_by_lights = plan.lastByLights;
     return f;
 }
+
+namespace {
 
 static_assert(FREQUENCY_VERTEX == uint32_t(ShadingFrequency::vertex) &&
               FREQUENCY_TRIANGLE == uint32_t(ShadingFrequency::triangle) &&
@@ -118,6 +115,7 @@ shared::LocalLightingConstants localConstants(const CpuScene& scene, const Frame
 CpuBackend::CpuBackend(const BackendOptions& options)
     : kernels_(*chooseInstructionSet(options.instructionSet).kernels),
       localKernels_(*chooseInstructionSet(options.instructionSet).localKernels),
+      realtimeKernels_(*chooseInstructionSet(options.instructionSet).realtimeKernels),
       threads_(options.threads ? options.threads
                                : std::max(1u, std::thread::hardware_concurrency())),
       arena_(int(threads_)) {

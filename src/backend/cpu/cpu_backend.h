@@ -1,10 +1,25 @@
 #pragma once
 
+#include <pmmintrin.h>
 #include <tbb/task_arena.h>
+#include <xmmintrin.h>
 
 #include "backend/cpu/cpu_scene.h"
 
 namespace gp::cpu {
+
+// What a render is, for the kernels.
+shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan);
+
+// Embree wants both set on every thread that traces.
+struct DenormalsOff {
+    unsigned before = _mm_getcsr();
+    DenormalsOff() {
+        _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+        _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+    }
+    ~DenormalsOff() { _mm_setcsr(before); }
+};
 
 class CpuBackend final : public Backend {
 public:
@@ -17,6 +32,9 @@ public:
     RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;
+    RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) override;
+    void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
+                         std::vector<glm::u8vec4>& display) override;
     void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;
 
     // For the benchmark: rays are noted here as they are traced; one thread only. Null: no more.
@@ -25,6 +43,7 @@ public:
 private:
     const IsaKernels& kernels_;
     const LocalKernels& localKernels_;
+    const RealtimeKernels& realtimeKernels_;
     uint32_t threads_;
     tbb::task_arena arena_;
     std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end

@@ -10,7 +10,13 @@
 
 namespace gp {
 struct Camera;
-}
+struct RealtimeViews;
+enum class RealtimePass : uint32_t;
+namespace shared {
+struct RealtimeConstants;
+struct PreviousInstance;
+}  // namespace shared
+}  // namespace gp
 
 namespace gp::cpu {
 
@@ -93,6 +99,18 @@ struct LocalTileJob {
     const void* model;          // shading::BsdfParams in every material's place, or null
 };
 
+// A rectangle of a real-time pass, in pixels of the images that it writes.
+struct RealtimeTileJob {
+    TileJob tile;               // without sums and samples
+    const shared::RealtimeConstants* realtime;
+    const Camera* previousCamera;
+    const RealtimeViews* images;
+    const shared::PreviousInstance* previousInstances;
+    const glm::vec3* const* previousPositions;  // by instance
+    const uint32_t* currentOfPrevious;
+    RealtimePass pass;
+};
+
 // The hot code, once for each instruction set (isa/).
 struct IsaKernels {
     const char* name;
@@ -106,6 +124,13 @@ struct IsaKernels {
 // inlined there.
 struct LocalKernels {
     TileCounts (*lightTile)(const LocalTileJob& job);
+};
+
+struct RealtimeKernels {
+    TileCounts (*runTile)(const RealtimeTileJob& job);
+    // `count` pixels of the output image, from `first` on.
+    void (*tonemap)(const RealtimeViews& images, glm::u8vec4* display, size_t first, size_t count,
+                    float exposureEv, uint32_t tonemap);
 };
 
 }  // namespace gp::cpu

@@ -33,6 +33,12 @@ public:
         return {};
     }
 
+    RayCounts runRealtimePass(const RealtimeJob&, RealtimePass) override { return {}; }
+    void tonemapRealtime(const RealtimeViews&, float, Tonemap,
+                         std::vector<glm::u8vec4>& display) override {
+        std::fill(display.begin(), display.end(), glm::u8vec4(0, 0, 0, 255));
+    }
+
     void tonemap(float, Tonemap, FrameImages& images) override {
         std::fill(images.display.begin(), images.display.end(), glm::u8vec4(0, 0, 0, 255));
     }

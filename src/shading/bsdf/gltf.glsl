@@ -259,6 +259,36 @@ vec3 gltf_albedo(IN(BsdfParams) m, float cos_o) {
     return albedo * through + vec3(1.0f - through);
 }
 
+// f |cos_i| of the diffuse base alone, seen through the layers above it.
+vec3 gltf_diffuse_part(IN(BsdfParams) m, vec3 wo, vec3 wi) {
+    if (!(wo.z * wi.z > 0.0f) || !gltf_has_diffuse(m) || (wo.z < 0.0f && m.thin == 0u)) {
+        return vec3(0.0f);
+    }
+    if (gltf_is_black(m, wo)) {
+        return vec3(0.0f);
+    }
+    GltfView view = gltf_view(m, wo);
+    vec3 i = view.flip ? mirrored_z(wi) : wi;
+    vec3 f_cos = gltf_diffuse_f_cos(m, view, i);
+    if (m.sheen_color != vec3(0.0f)) {
+        f_cos *= min(view.sheen_through, gltf_sheen_through(m, i));
+    }
+    if (m.coat > 0.0f) {
+        f_cos *= min(view.coat_through, gltf_coat_through(m, i));
+    }
+    return f_cos;
+}
+
+// The albedo of that, but for how much the layers let in from each direction.
+vec3 gltf_diffuse_albedo(IN(BsdfParams) m, float cos_o) {
+    vec3 wo = vec3(sqrt(max(1.0f - cos_o * cos_o, 0.0f)), 0.0f, abs(cos_o));
+    if (!gltf_has_diffuse(m) || wo.z == 0.0f) {
+        return vec3(0.0f);
+    }
+    GltfView view = gltf_view(m, wo);
+    return gltf_diffuse_color(m) * (view.base_through * view.sheen_through * view.coat_through);
+}
+
 bool gltf_is_specular(IN(BsdfParams) m) {
     bool smooth_coat = m.coat <= 0.0f || alpha_is_specular(m.coat_alpha, m.coat_alpha);
     return !gltf_has_diffuse(m) && m.sheen_color == vec3(0.0f) && smooth_coat

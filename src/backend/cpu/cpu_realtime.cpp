@@ -1,0 +1,65 @@
+// A pass of a real-time frame: its tiles over the threads.
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
+#include "backend/cpu/cpu_backend.h"
+
+namespace gp::cpu {
+namespace {
+
+constexpr RealtimeSize sizes[] = {
+#define X(name, size) RealtimeSize::size,
+#include "frame/realtime_passes.def"
+#undef X
+};
+
+constexpr uint32_t tileSize = 8;
+
+}  // namespace
+
+RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass) {
+    const SceneView& view = static_cast<const CpuScene&>(job.scene).view();
+    const shared::FrameConstants frame = frameConstants(view, job.frame);
+    RealtimeTileJob all{};
+    all.tile.scene = &view, all.tile.frame = &frame, all.tile.camera = &job.frame.camera;
+    all.realtime = &job.constants, all.previousCamera = &job.previousCamera;
+    all.images = &job.images;
+    all.previousInstances = job.motion.instances().data();
+    all.previousPositions = job.motion.positions().data();
+    all.currentOfPrevious = job.motion.currentOfPrevious().data();
+    all.pass = pass;
+
+    const glm::uvec2 size = job.images.size[size_t(sizes[size_t(pass)])];
+    const glm::uvec2 tiles = (size + (tileSize - 1)) / tileSize;
+    tbb::combinable<RayCounts> counts;
+    arena_.execute([&] {
+        tbb::parallel_for(0u, tiles.x * tiles.y, [&](uint32_t i) {
+            const DenormalsOff denormalsOff;
+            RealtimeTileJob one = all;
+            TileJob& t = one.tile;
+            t.x0 = i % tiles.x * tileSize, t.y0 = i / tiles.x * tileSize;
+            t.x1 = std::min(t.x0 + tileSize, size.x), t.y1 = std::min(t.y0 + tileSize, size.y);
+            const TileCounts c = realtimeKernels_.runTile(one);
+            RayCounts& sum = counts.local();
+            sum.camera += c.camera, sum.bounce += c.bounce, sum.shadow += c.shadow;
+        });
+    });
+    return counts.combine([](RayCounts a, const RayCounts& b) {
+        return RayCounts{a.camera + b.camera, a.bounce + b.bounce, a.shadow + b.shadow};
+    });
+}
+
+void CpuBackend::tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
+                                 std::vector<glm::u8vec4>& display) {
+    constexpr size_t run = 4096;
+    arena_.execute([&] {
+        tbb::parallel_for(size_t(0), (display.size() + run - 1) / run, [&](size_t i) {
+            const size_t begin = i * run;
+            realtimeKernels_.tonemap(images, display.data(), begin,
+                                     std::min(run, display.size() - begin), exposureEv,
+                                     uint32_t(tonemap));
+        });
+    });
+}
+
+}  // namespace gp::cpu

@@ -1,0 +1,116 @@
+#include "frame/realtime.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace gp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Where in the pixels the rays of a frame go: evenly after any number of frames.
+// [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", the R2 sequence]
+glm::vec2 jitterOf(uint32_t frame) {
+    const double n = double(frame) + 1;
+    const auto fraction = [](double x) { return float(x - std::floor(x)); };
+    return {fraction(0.5 + n * 0.7548776662466927) - 0.5f,
+            fraction(0.5 + n * 0.5698402909980532) - 0.5f};
+}
+
+const char* const passNames[] = {
+#define X(name, size) #name,
+#include "frame/realtime_passes.def"
+#undef X
+};
+
+}  // namespace
+
+shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
+                                                   bool hasPrevious) const {
+    const RealtimeViews& views = images_.views();
+    shared::RealtimeConstants c{};
+    c.size = views.size[size_t(RealtimeSize::FULL)];
+    c.output_size = views.size[size_t(RealtimeSize::OUTPUT)];
+    c.jitter = jitter_, c.previous_jitter = previousJitter_;
+    c.frame_index = index_;
+    c.has_previous = hasPrevious;
+    c.mirror_limit = plan.mirrorLimit;
+    c.repeats_draws = 0;
+    c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
+    c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
+#define X(name, initial, minimum, maximum, text) c.name = initial;
+#include "shared/denoiser_parameters.def"
+#undef X
+    return c;
+}
+
+void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
+    const RealtimeViews& views = images_.views();
+    if (views.size[size_t(RealtimeSize::FULL)] == full &&
+        views.size[size_t(RealtimeSize::OUTPUT)] == output)
+        return;
+    cut();
+    images_.resize(full, output);
+}
+
+// The frame from top to bottom.
+RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backendScene,
+                                     const Scene& scene, const RealtimePlan& plan,
+                                     std::vector<glm::u8vec4>& display,
+                                     std::atomic<bool>& cancel) {
+    const auto start = Clock::now();
+    RealtimeResult result;
+    resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
+    if (plan.resetHistory) cut();
+    // Whatever ends this frame early leaves images that are half of it.
+    const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
+    const bool hasPrevious = previous.has_value();
+    if (!hasPrevious) {
+        motion_.forget();
+        lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
+    }
+    motion_.compare(scene);
+    previousJitter_ = jitter_;
+    jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
+    images_.swap();
+
+    const shared::RealtimeConstants c = constants(plan, hasPrevious);
+    FramePlan frame = plan.frame;
+    frame.lightVisibility = lightVisibility_;
+    const RealtimeJob job{backendScene, frame, previous ? *previous : frame.camera, c, motion_,
+                          images_.views()};
+    const auto run = [&](RealtimePass pass) {
+        if (cancel.load()) return;
+        const auto passStart = Clock::now();
+        const RayCounts rays = backend.runRealtimePass(job, pass);
+        result.rays.camera += rays.camera, result.rays.bounce += rays.bounce;
+        result.rays.shadow += rays.shadow;
+        result.passes.push_back({passNames[size_t(pass)], millisecondsSince(passStart)});
+    };
+
+    run(RealtimePass::primary);                                     // what each pixel shows
+    if (c.repeats_draws != 0) run(RealtimePass::gradient_reproject); // what repeats the last frame
+    run(RealtimePass::lighting);                                    // three noisy channels
+    run(RealtimePass::composite);                                   // together again
+    run(RealtimePass::resolve);                                     // smooth edges, output size
+
+    const auto displayStart = Clock::now();
+    backend.tonemapRealtime(images_.views(), frame.exposureEv, frame.tonemap, display);
+    result.passes.push_back({"display", millisecondsSince(displayStart)});
+
+    result.cancelled = cancel.load();
+    if (!result.cancelled) {
+        motion_.remember(scene);
+        previousCamera_ = frame.camera;
+        ++index_;
+    }
+    result.secondsRender = millisecondsSince(start) * 1e-3;
+    return result;
+}
+
+}  // namespace gp

@@ -1,0 +1,53 @@
+// The real-time frame: a few rays a pixel, and what is remembered from frame to frame.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "backend/backend.h"
+#include "frame/realtime_images.h"
+#include "frame/realtime_plan.h"
+#include "frame/scene_motion.h"
+#include "shared/realtime_structs.h"
+
+namespace gp {
+
+struct PassTime {
+    const char* name;
+    double milliseconds;
+};
+
+struct RealtimeResult {
+    RayCounts rays;
+    std::vector<PassTime> passes;
+    double secondsRender = 0;
+    bool cancelled = false;
+};
+
+// What a frame of the application's remembers.
+class RealtimeFrame {
+public:
+    // Does nothing where the sizes are as they were; else history is forgotten.
+    void resize(glm::ivec2 full, glm::ivec2 output);
+    // The next frame knows nothing of the ones before.
+    void cut() { previousCamera_.reset(); }
+    const RealtimeImages& images() const { return images_; }
+
+    // One frame, into images() and `display`. When cancelled or failing, history is forgotten.
+    RealtimeResult render(Backend& backend, const BackendScene& backendScene, const Scene& scene,
+                          const RealtimePlan& plan, std::vector<glm::u8vec4>& display,
+                          std::atomic<bool>& cancel);
+
+private:
+    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious) const;
+
+    RealtimeImages images_;
+    SceneMotion motion_;
+    std::optional<Camera> previousCamera_;
+    std::array<float, 3> lightVisibility_{1, 1, 1};
+    glm::vec2 jitter_{0}, previousJitter_{0};
+    uint32_t index_ = 0;
+};
+
+}  // namespace gp

@@ -1,0 +1,74 @@
+#include "frame/realtime_images.h"
+
+#include <utility>
+
+namespace gp {
+namespace {
+
+constexpr RealtimeImageInfo infos[] = {
+#define X(name, format, size, copies, meaning) \
+    {#name, RealtimeFormat::format, RealtimeSize::size, copies, meaning},
+#include "shared/realtime_images.def"
+#undef X
+};
+
+size_t pixels(glm::ivec2 size) { return size_t(size.x) * size_t(size.y); }
+
+}  // namespace
+
+const RealtimeImageInfo& realtimeImageInfo(RealtimeImage image) { return infos[size_t(image)]; }
+
+uint32_t bytesPerPixel(RealtimeFormat format) {
+    switch (format) {
+        case RealtimeFormat::HALF4:
+        case RealtimeFormat::UINT2: return 8;
+        default: return 4;
+    }
+}
+
+glm::ivec2 RealtimeImages::size(RealtimeImage image) const {
+    return views_.size[size_t(realtimeImageInfo(image).size)];
+}
+
+void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
+    RealtimeViews views{};
+    views.size[size_t(RealtimeSize::FULL)] = full;
+    views.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
+    views.size[size_t(RealtimeSize::OUTPUT)] = output;
+    std::array<std::vector<std::byte>, realtimeImageCount> current, previous;
+    for (size_t i = 0; i < realtimeImageCount; ++i) {
+        const size_t bytes = pixels(views.size[size_t(infos[i].size)]) *
+                             gp::bytesPerPixel(infos[i].format);
+        current[i].resize(bytes);
+        views.current[i] = current[i].data();
+        if (infos[i].copies < 2) continue;
+        previous[i].resize(bytes);
+        views.previous[i] = previous[i].data();
+    }
+    current_.swap(current), previous_.swap(previous);
+    views_ = views;
+}
+
+void RealtimeImages::swap() {
+    for (size_t i = 0; i < realtimeImageCount; ++i) {
+        if (infos[i].copies < 2) continue;
+        current_[i].swap(previous_[i]);
+        std::swap(views_.current[i], views_.previous[i]);
+    }
+}
+
+uint64_t RealtimeImages::bytes() const {
+    uint64_t sum = 0;
+    for (size_t i = 0; i < realtimeImageCount; ++i) sum += current_[i].size() + previous_[i].size();
+    return sum;
+}
+
+size_t RealtimeImages::bytesPerPixel() {
+    size_t full = 0, third = 0;
+    for (const RealtimeImageInfo& info : infos)
+        (info.size == RealtimeSize::THIRD ? third : full) +=
+            info.copies * gp::bytesPerPixel(info.format);
+    return full + (third + 8) / 9;
+}
+
+}  // namespace gp

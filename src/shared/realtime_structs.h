@@ -1,0 +1,14 @@
+// The C++ side of realtime_structs.glsl.
+#pragma once
+
+#include <cstddef>
+
+#include "shading/lang.h"
+
+namespace gp::shared {
+using namespace glm;
+#include "shared/realtime_structs.glsl"
+
+static_assert(offsetof(RealtimeConstants, frame_index) == 32);
+static_assert(offsetof(RealtimeConstants, direct_history_frames) == 64);
+}  // namespace gp::shared

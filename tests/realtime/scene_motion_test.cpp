@@ -1,0 +1,112 @@
+// SceneMotion by itself: which instance of the last frame an instance is.
+#include <gtest/gtest.h>
+
+#include "frame/scene_motion.h"
+
+namespace gp {
+namespace {
+
+std::shared_ptr<Mesh> mesh(MeshKind kind, float x = 0, uint32_t triangles = 1) {
+    auto m = std::make_shared<Mesh>();
+    m->kind = kind;
+    for (uint32_t i = 0; i < triangles; ++i) {
+        for (glm::vec3 p : {glm::vec3(x, 0, 0), glm::vec3(x + 1, 0, 0), glm::vec3(x, 1, 0)})
+            m->positions.push_back(p);
+        m->triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    return m;
+}
+
+std::shared_ptr<Instance> instance(std::shared_ptr<Mesh> m, uint64_t id, float x) {
+    auto i = std::make_shared<Instance>();
+    i->mesh = std::move(m);
+    i->id = id;
+    i->worldFromObject[3] = {x, 0, 0};
+    return i;
+}
+
+float previousX(const SceneMotion& motion, size_t i) {
+    return motion.instances()[i].world_from_object[0].w;
+}
+
+TEST(SceneMotion, FindsIdsInAnotherOrderAndAsOtherObjects) {
+    const auto m = mesh(MeshKind::movable);
+    Scene scene;
+    for (uint64_t id : {11, 12, 13}) scene.instances.push_back(instance(m, id, float(id)));
+    SceneMotion motion;
+    motion.compare(scene);
+    for (const auto& p : motion.instances()) EXPECT_EQ(p.index, NO_INDEX);  // nothing before
+    motion.remember(scene);
+
+    Scene next;
+    for (uint64_t id : {13, 14, 11}) next.instances.push_back(instance(m, id, 0));
+    motion.compare(next);
+    EXPECT_EQ(motion.instances()[0].index, 2u);
+    EXPECT_EQ(motion.instances()[1].index, NO_INDEX);  // 14 is new
+    EXPECT_EQ(motion.instances()[2].index, 0u);
+    EXPECT_EQ(previousX(motion, 0), 13);
+    EXPECT_EQ(previousX(motion, 2), 11);
+    EXPECT_EQ(motion.currentOfPrevious(), (std::vector<uint32_t>{2, NO_INDEX, 0}));  // 12 is gone
+}
+
+TEST(SceneMotion, ObjectsWithoutIdAreThemselves) {
+    const auto m = mesh(MeshKind::movable);
+    Scene scene;
+    scene.instances = {instance(m, 0, 1), instance(m, 0, 2)};
+    SceneMotion motion;
+    motion.remember(scene);
+    std::swap(scene.instances[0], scene.instances[1]);
+    scene.instances[0]->worldFromObject[3].x = 5;
+    scene.instances.push_back(instance(m, 0, 3));
+    motion.compare(scene);
+    EXPECT_EQ(motion.instances()[0].index, 1u);
+    EXPECT_EQ(motion.instances()[1].index, 0u);
+    EXPECT_EQ(motion.instances()[2].index, NO_INDEX);
+    EXPECT_EQ(previousX(motion, 0), 2);  // where it was, not where it is
+}
+
+TEST(SceneMotion, KeepsTheVerticesOfDynamicMeshes) {
+    const auto m = mesh(MeshKind::dynamic);
+    Scene scene;
+    scene.instances = {instance(m, 7, 0)};
+    SceneMotion motion;
+    motion.remember(scene);
+    m->positions[1].x = 100, ++m->revision;
+    motion.compare(scene);
+    ASSERT_NE(motion.positions()[0], nullptr);
+    EXPECT_EQ(motion.positions()[0][1].x, 1);
+    motion.remember(scene);
+    motion.compare(scene);  // nothing moved since
+    EXPECT_EQ(motion.positions()[0][1].x, 100);
+    // Triangles that join other vertices say nothing about where corners were.
+    ++m->revision, ++m->topologyRevision;
+    motion.compare(scene);
+    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
+}
+
+TEST(SceneMotion, AnotherMeshUnderTheSameIdIsItsSuccessor) {
+    Scene scene;
+    scene.instances = {instance(mesh(MeshKind::dynamic, 4), 7, 0)};
+    SceneMotion motion;
+    motion.remember(scene);
+    scene.instances = {instance(mesh(MeshKind::dynamic, 5), 7, 0)};
+    motion.compare(scene);
+    ASSERT_NE(motion.positions()[0], nullptr);
+    EXPECT_EQ(motion.positions()[0][0].x, 4);
+    scene.instances = {instance(mesh(MeshKind::dynamic, 5, 2), 7, 0)};  // not of the same triangles
+    motion.compare(scene);
+    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
+}
+
+TEST(SceneMotion, ForgetsOnDemand) {
+    Scene scene;
+    scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};
+    SceneMotion motion;
+    motion.remember(scene);
+    motion.forget();
+    motion.compare(scene);
+    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
+}
+
+}  // namespace
+}  // namespace gp
