@@ -11,6 +11,7 @@ namespace {
 std::shared_ptr<Mesh> mesh(MeshKind kind, float x = 0, uint32_t triangles = 1) {
     auto m = std::make_shared<Mesh>();
     m->kind = kind;
+    m->material = std::make_shared<Material>();
     for (uint32_t i = 0; i < triangles; ++i) {
         for (glm::vec3 p : {glm::vec3(x, 0, 0), glm::vec3(x + 1, 0, 0), glm::vec3(x, 1, 0)})
             m->positions.push_back(p);
@@ -100,6 +101,16 @@ TEST(SceneMotion, AnotherMeshUnderTheSameIdIsItsSuccessor) {
     EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 
+TEST(SceneMotion, ForgetsOnDemand) {
+    Scene scene;
+    scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};
+    SceneMotion motion;
+    motion.remember(scene, makeLightTable(scene));
+    motion.forget();
+    motion.compare(scene, makeLightTable(scene));
+    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
+}
+
 // A polygon is as many lights as it has triangles; each finds itself again, or is gone.
 TEST(SceneMotion, FindsTheTrianglesOfPolygonalLights) {
     const auto polygon = [](uint64_t id, size_t corners) {
@@ -120,16 +131,6 @@ TEST(SceneMotion, FindsTheTrianglesOfPolygonalLights) {
     motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.currentLightOfPrevious(),
               (std::vector<uint32_t>{3, 4, NO_INDEX, 0, 1, 2}));
-}
-
-TEST(SceneMotion, ForgetsOnDemand) {
-    Scene scene;
-    scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};
-    SceneMotion motion;
-    motion.remember(scene, makeLightTable(scene));
-    motion.forget();
-    motion.compare(scene, makeLightTable(scene));
-    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 
 }  // namespace
