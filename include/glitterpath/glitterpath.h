@@ -66,6 +66,7 @@ typedef struct GpInstanceImpl* GpInstance;
 typedef struct GpLightImpl* GpLight;
 typedef struct GpFrameImpl* GpFrame;
 typedef struct GpBsdfImpl* GpBsdf;
+typedef struct GpImmediateImpl* GpImmediate;
 
 /* ------------------------------------------------------------------------------------ errors */
 
@@ -675,6 +676,22 @@ typedef enum GpAntiAliasing {
     GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
 } GpAntiAliasing;
 
+/* What makes a stable picture of noisy channels. */
+typedef enum GpDenoiser {
+    GP_DENOISER_ASVGF = 0,  /* mean over frames that ends where light changes, then over neighbours
+                               by their variance [Schied, Peters and Dachsbacher 2018] */
+    GP_DENOISER_SVGF = 1,   /* a mean over frames of fixed length [Schied et al. 2017] */
+    GP_DENOISER_ATROUS = 2, /* neighbours only, nothing over frames [Dammertz et al. 2010] */
+    GP_DENOISER_NONE = 3
+} GpDenoiser;
+
+/* A number of the denoisers, light reuse or anti-aliasing that is not to have its default:
+ * gpDescribeDenoisers lists them. */
+typedef struct GpDenoiserParameter {
+    const char* name;
+    float value;
+} GpDenoiserParameter;
+
 /* How a pixel's shadow ray chooses among the lights that are not directional.
  * [Bitterli et al. 2020, "ReSTIR"] */
 typedef enum GpLightReuse {
@@ -698,6 +715,9 @@ typedef struct GpRealtimeOptions {
                                1 the picture is scaled up over time; a change forgets history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
+    GpDenoiser denoiser;
+    const GpDenoiserParameter* parameters; /* those that are not here have their defaults */
+    uint32_t parameterCount;
     GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
@@ -738,7 +758,8 @@ GP_API GpError gpRender(GpFrame frame, GpScene scene, const GpCameraDesc* camera
                         const GpRenderOptions* options);
 /* Ends a running gpRender of this device soon; any thread, also from a signal handler. */
 GP_API void gpCancelRender(GpDevice device);
-/* DISPLAY anew with another exposure and tone map, without tracing. */
+/* DISPLAY anew with another exposure and tone map, without tracing; the overlay that the last
+ * gpRender drew is drawn again (gpDraw). */
 GP_API GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap);
 /* Copies an image out. `size` must be at least width * height * bytesPerPixel. */
 GP_API GpError gpReadFrameImage(GpFrame frame, GpFrameImage image, void* pixels, size_t size);
@@ -783,9 +804,161 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
  * message names the nearest known one. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
+/* The denoisers by name, and all their parameters with name, default, range and meaning, as a JSON
+ * text; sizes as in gpDescribeScene. */
+GP_API GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed);
 /* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
  * Needs no device. */
 GP_API GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** meaning);
+
+/* ----------------------------------------------------------------------- rasterised geometry
+ * Triangles that are drawn into the traced picture: sprites, particles, user interfaces. They cast
+ * no light and no shadows, and rays do not meet them. */
+
+/* Where to. First all of SKY is drawn, then SCENE, then tone mapping runs, then OVERLAY is drawn;
+ * within each in the order of the calls. Each has a depth of its own: SCENE begins with that of the
+ * traced picture (GP_IMAGE_DEPTH), the others with nothing but infinitely far away. */
+typedef enum GpDrawTarget {
+    GP_DRAW_SCENE = 0,   /* into GP_IMAGE_COLOR: linear radiance, hidden by what was traced. The
+                            other images keep what was traced. A pixel that shows both a surface and
+                            what is behind its edge counts as the surface */
+    GP_DRAW_OVERLAY = 1, /* into GP_IMAGE_DISPLAY: sRGB-encoded, over everything. Colours, and
+                            8-bit textures of either colour space, are taken as they stand, and
+                            blended so; float textures are encoded */
+    GP_DRAW_SKY = 2      /* into GP_IMAGE_COLOR, only where camera rays met nothing; pixels at the
+                            edges of surfaces get their share. Seen with the camera at the origin,
+                            so that what surrounds (0, 0, 0) seems infinitely far away. Reflections
+                            and bounced light do not see it yet: they see the environment */
+} GpDrawTarget;
+
+/* What positions mean. The lens of the camera (apertureRadius) never blurs what is drawn. */
+typedef enum GpDrawView {
+    GP_VIEW_DEFAULT = 0, /* SCENE and SKY: GP_VIEW_CAMERA; OVERLAY: GP_VIEW_PIXELS */
+    GP_VIEW_CAMERA = 1,  /* world space, seen by the camera of gpRender; nothing behind it shows */
+    GP_VIEW_PIXELS = 2,  /* x to the right and y down from the viewport's upper left corner, in
+                            pixels; depth is z */
+    GP_VIEW_MATRIX = 3   /* through viewProjection, clipped as OpenGL does: -w <= x, y, z <= w, +y
+                            is up. Depth is w, where the matrix is a perspective (its w must be
+                            metres along the view, as it is in every usual one), else z after the
+                            matrix */
+} GpDrawView;
+
+/* What source (what is drawn) and destination (what is there) are multiplied by before they are
+ * added: OpenGL's factors. */
+typedef enum GpBlendFactor {
+    GP_BLEND_DEFAULT = 0, /* as said beside the field */
+    GP_BLEND_ZERO = 1,
+    GP_BLEND_ONE = 2,
+    GP_BLEND_SRC_COLOR = 3,
+    GP_BLEND_ONE_MINUS_SRC_COLOR = 4,
+    GP_BLEND_SRC_ALPHA = 5,
+    GP_BLEND_ONE_MINUS_SRC_ALPHA = 6,
+    GP_BLEND_DST_ALPHA = 7,
+    GP_BLEND_ONE_MINUS_DST_ALPHA = 8,
+    GP_BLEND_DST_COLOR = 9,
+    GP_BLEND_ONE_MINUS_DST_COLOR = 10,
+    GP_BLEND_SRC_ALPHA_SATURATE = 11 /* min(source alpha, 1 - destination alpha); 1 for alpha */
+} GpBlendFactor;
+
+/* Drawn where this holds for its own depth against the depth that is there. */
+typedef enum GpDepthTest {
+    GP_DEPTH_DEFAULT = 0, /* SCENE: GP_DEPTH_LESS_OR_EQUAL; the others: GP_DEPTH_ALWAYS */
+    GP_DEPTH_NEVER = 1,
+    GP_DEPTH_LESS = 2,
+    GP_DEPTH_EQUAL = 3,
+    GP_DEPTH_LESS_OR_EQUAL = 4,
+    GP_DEPTH_GREATER = 5,
+    GP_DEPTH_NOT_EQUAL = 6,
+    GP_DEPTH_GREATER_OR_EQUAL = 7,
+    GP_DEPTH_ALWAYS = 8
+} GpDepthTest;
+
+/* A triangle's front is the side from which its corners run counter-clockwise. */
+typedef enum GpCull { GP_CULL_NONE = 0, GP_CULL_BACK = 1, GP_CULL_FRONT = 2 } GpCull;
+
+#define GP_GIVEN_DRAW_COLOR 1 /* of GpDrawDesc.given */
+
+/* Strides are in bytes; 0 = tightly packed. What is drawn is color * colors * texture. */
+typedef struct GpDrawDesc {
+    GpDrawTarget target;         /* GP_DRAW_SCENE */
+    uint32_t given;              /* GP_GIVEN_DRAW_COLOR: four zeros in color count */
+    uint32_t vertexCount;        /* at most 2^24 */
+    const float* positions;      /* finite; required */
+    size_t positionStride;
+    uint32_t positionComponents; /* 3 (xyz, w is 1) or 4 (xyzw); 0 = 3 */
+    const float* texCoords;      /* uv; NULL = zeros */
+    size_t texCoordStride;
+    const float* colors;         /* RGBA, 0..1e6 (alpha 0..1), interpolated; NULL = white */
+    size_t colorStride;
+    const uint32_t* indices;     /* three a triangle; NULL = vertices in order */
+    uint32_t indexCount;         /* a multiple of 3, at most 2^26; without indices vertexCount is */
+    GpTexture texture;           /* NULL = none; read with its own wraps, filters and mipmaps. May
+                                    be released after the call */
+    float color[4];              /* RGBA, 0..1e6 (alpha 0..1); four zeros = white */
+    float alphaThreshold;        /* what has less alpha is not drawn, 0..1; 0 = all is drawn */
+    int32_t blend;               /* 0: the source replaces what is there; else by these factors */
+    GpBlendFactor blendSource;           /* GP_BLEND_SRC_ALPHA */
+    GpBlendFactor blendDestination;      /* GP_BLEND_ONE_MINUS_SRC_ALPHA; not SATURATE */
+    GpBlendFactor blendSourceAlpha;      /* for alpha: as blendSource, but GP_BLEND_ONE in the place
+                                            of GP_BLEND_SRC_ALPHA, so that coverage adds up */
+    GpBlendFactor blendDestinationAlpha; /* for alpha: as blendDestination; not SATURATE */
+    GpDepthTest depthTest;       /* GP_DEPTH_DEFAULT */
+    int32_t depthWrite;          /* not 0: hides what is drawn behind it later */
+    float depthBias;             /* depth * (1 - depthBias) counts, -1..1. Before it is compared,
+                                    traced depth is made farther by 1e-4 of itself, so that what
+                                    lies in a traced surface shows */
+    GpCull cull;                 /* GP_CULL_NONE */
+    GpDrawView view;             /* GP_VIEW_DEFAULT */
+    float viewProjection[16];    /* GP_VIEW_MATRIX: 4 rows of 4, clip = viewProjection * world */
+    float worldFromObject[12];   /* 3 rows of 4; twelve zeros = identity */
+    float viewport[4];           /* x, y of the upper left corner, width, height, in pixels, each
+                                    within 32768; four zeros = the frame. May reach beyond it */
+} GpDrawDesc;
+
+/* Draws with the next gpRender into `frame`, which uses up what was handed over before it, also
+ * when it is cancelled; one that fails otherwise leaves it waiting. Everything is copied. At most
+ * 65,536 draws with 2^26 vertices and indices in all may wait: GP_ERROR_TOO_LARGE. Alpha of a
+ * picture is coverage; it follows from the blend factors as colour does. */
+GP_API GpError gpDraw(GpFrame frame, const GpDrawDesc* desc);
+
+/* Immediate mode, as in OpenGL 1: vertices one by one into an object that then fills a GpMeshDesc
+ * (geometry that is traced) or a GpDrawDesc (geometry that is drawn). */
+typedef enum GpPrimitive {
+    GP_TRIANGLES = 0,
+    GP_TRIANGLE_STRIP = 1,
+    GP_TRIANGLE_FAN = 2,
+    GP_QUADS = 3,
+    GP_QUAD_STRIP = 4,
+    GP_POLYGON = 5 /* convex */
+} GpPrimitive;
+
+typedef enum GpShadeModel {
+    GP_SHADE_SMOOTH = 0, /* colours are interpolated */
+    GP_SHADE_FLAT = 1    /* a triangle or quad has the colour of its last vertex, a polygon that of
+                            its first [OpenGL 2.1 specification, section 2.14.7] */
+} GpShadeModel;
+
+GP_API GpImmediate gpNewImmediate(GpDevice device);
+GP_API GpError gpReleaseImmediate(GpImmediate immediate);
+/* Forgets all vertices; colour, normal, texture coordinate and shade model stay. Not between
+ * gpBegin and gpEnd, as all calls of this section but the next four: GP_ERROR_INVALID_OPERATION. */
+GP_API GpError gpClearImmediate(GpImmediate immediate);
+/* What the next vertices have; at first white, (0, 0, 1), (0, 0). Finite; colour: linear RGBA. */
+GP_API GpError gpColor4f(GpImmediate immediate, float r, float g, float b, float a);
+GP_API GpError gpNormal3f(GpImmediate immediate, float x, float y, float z);
+GP_API GpError gpTexCoord2f(GpImmediate immediate, float u, float v);
+/* Only between gpBegin and gpEnd. At most 2^24 vertices in all. */
+GP_API GpError gpVertex3f(GpImmediate immediate, float x, float y, float z);
+GP_API GpError gpShadeModel(GpImmediate immediate, GpShadeModel model);
+GP_API GpError gpBegin(GpImmediate immediate, GpPrimitive primitive);
+/* Vertices that do not complete a triangle or quad are left out. */
+GP_API GpError gpEnd(GpImmediate immediate);
+/* Sets counts, strides and the pointers to positions, indices and, where they were set since the
+ * object was made, colours, normals, texture coordinates; the other fields stay. The pointers hold
+ * until the next call on `immediate`, these two apart. GP_ERROR_INVALID_OPERATION where there is no
+ * whole triangle. */
+GP_API GpError gpGetImmediateMesh(GpImmediate immediate, GpMeshDesc* desc);
+GP_API GpError gpGetImmediateDraw(GpImmediate immediate, GpDrawDesc* desc);
 
 /* ------------------------------------------------------------------------------- image files */
 

@@ -232,6 +232,7 @@ public:
                 const GpRenderOptions& options = {}) {
         check(gpRender(get(), scene.get(), &camera, &options));
     }
+    void draw(const GpDrawDesc& desc) { check(gpDraw(get(), &desc)); }  // by the next render()
     void tonemap(float exposureEv, GpTonemap curve = GP_TONEMAP_AGX) {
         check(gpTonemapFrame(get(), exposureEv, curve));
     }
@@ -260,6 +261,24 @@ private:
         return desc;
     }
     size_t pixels_ = 0;
+};
+
+// Vertices one by one; what mesh() and draw() fill in holds until the next call of another.
+class Immediate : public Owner<GpImmediate, gpReleaseImmediate> {
+public:
+    Immediate() = default;
+    explicit Immediate(const Device& d)
+        : Owner(detail::checked(gpNewImmediate(d.get()), d.get()), d.get()) {}
+    void begin(GpPrimitive primitive) { check(gpBegin(get(), primitive)); }
+    void end() { check(gpEnd(get())); }
+    void clear() { check(gpClearImmediate(get())); }
+    void shadeModel(GpShadeModel model) { check(gpShadeModel(get(), model)); }
+    void color(float r, float g, float b, float a = 1) { check(gpColor4f(get(), r, g, b, a)); }
+    void normal(float x, float y, float z) { check(gpNormal3f(get(), x, y, z)); }
+    void texCoord(float u, float v) { check(gpTexCoord2f(get(), u, v)); }
+    void vertex(float x, float y, float z = 0) { check(gpVertex3f(get(), x, y, z)); }
+    void mesh(GpMeshDesc& desc) const { check(gpGetImmediateMesh(get(), &desc)); }
+    void draw(GpDrawDesc& desc) const { check(gpGetImmediateDraw(get(), &desc)); }
 };
 
 // A reflectance model on its own; arrays as for gpEvaluateBsdf and gpSampleBsdf.

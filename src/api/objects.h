@@ -14,6 +14,7 @@
 
 #include "api/handle.h"
 #include "backend/backend.h"
+#include "frame/draw.h"
 #include "frame/frame_images.h"
 #include "frame/realtime.h"
 #include "glitterpath/glitterpath.h"
@@ -109,12 +110,33 @@ struct FrameObject final : ChildObject {
     std::weak_ptr<const SceneObject> scene;
     uint64_t sceneRevision = 0;
     Camera camera;
+    DrawList draws;                  // wait for the next render
+    uint64_t drawElements = 0;       // their vertices and indices
+    DrawList overlay;                // that the last render drew: gpTonemapFrame draws it again
 };
 
 struct BsdfObject final : ChildObject {
     using ChildObject::ChildObject;
     std::shared_ptr<const BsdfSettings> settings;
     std::unique_ptr<const PreparedBsdf> prepared;  // made by the first value or sample
+};
+
+struct ImmediateVertex {
+    glm::vec3 position{0}, normal{0, 0, 1};
+    glm::vec2 texCoord{0};
+    glm::vec4 color{1};
+};
+
+struct ImmediateObject final : ChildObject {
+    using ChildObject::ChildObject;
+    ImmediateVertex current;         // what the next vertex has
+    bool hasColors = false, hasNormals = false, hasTexCoords = false;  // ever set
+    GpShadeModel shadeModel = GP_SHADE_SMOOTH;
+    GpPrimitive primitive = GP_TRIANGLES;
+    bool open = false;               // between gpBegin and gpEnd
+    uint32_t firstVertex = 0;        // of the open primitive
+    std::vector<ImmediateVertex> vertices;
+    std::vector<uint32_t> indices;
 };
 
 template <class Handle> struct HandleTraits;
@@ -132,6 +154,7 @@ GP_HANDLE(GpInstance, InstanceObject, instance)
 GP_HANDLE(GpLight, LightObject, light)
 GP_HANDLE(GpFrame, FrameObject, frame)
 GP_HANDLE(GpBsdf, BsdfObject, bsdf)
+GP_HANDLE(GpImmediate, ImmediateObject, immediate)
 #undef GP_HANDLE
 
 }  // namespace gp::api

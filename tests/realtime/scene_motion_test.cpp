@@ -101,6 +101,33 @@ TEST(SceneMotion, AnotherMeshUnderTheSameIdIsItsSuccessor) {
     EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 
+TEST(SceneMotion, FollowsLightsByIdObjectAndInstance) {
+    const auto light = [](uint64_t id) {
+        auto l = std::make_shared<Light>();
+        l->kind = LightKind::sphere, l->id = id;
+        return l;
+    };
+    auto glowing = std::make_shared<Material>();
+    glowing->emission = glm::vec3(1);
+    const auto lamp = mesh(MeshKind::movable, 0, 2);
+    lamp->material = glowing;
+    Scene scene;
+    scene.revision = 1;
+    scene.instances = {instance(mesh(MeshKind::movable), 1, 0), instance(lamp, 2, 0)};
+    scene.lights = {light(5), light(0), light(6)};
+    SceneMotion motion;
+    motion.remember(scene, makeLightTable(scene));
+    motion.compare(scene, makeLightTable(scene));
+    EXPECT_EQ(motion.currentLightOfPrevious(), (std::vector<uint32_t>{0, 1, 2, 3, 4}));
+
+    Scene next;
+    next.revision = 2;
+    next.instances = {scene.instances[1], scene.instances[0]};
+    next.lights = {light(6), scene.lights[1], light(7), light(8)};  // 5 went out
+    motion.compare(next, makeLightTable(next));
+    EXPECT_EQ(motion.currentLightOfPrevious(), (std::vector<uint32_t>{NO_INDEX, 1, 0, 4, 5}));
+}
+
 TEST(SceneMotion, ForgetsOnDemand) {
     Scene scene;
     scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};

@@ -1,9 +1,10 @@
 #include "backend/cpu/material_table.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "shading/shading.h"
 
+#include "backend/cpu/texture_view.h"
 #include "scene/bsdf_settings.h"
 #include "scene/hash.h"
 
@@ -36,21 +37,7 @@ void MaterialTable::show(SceneView& view) const {
 void MaterialTable::fillUse(TextureSlot& slot, const TextureUse& use) {
     const auto [it, fresh] =
         textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
-    if (fresh) {
-        const Texture& t = *use.texture;
-        TextureView v{};
-        v.width = t.levels[0].width, v.height = t.levels[0].height;
-        v.levelCount = uint32_t(std::min<size_t>(t.levels.size(), std::size(v.levels)));
-        for (size_t i = 0; i < std::size(v.levels); ++i)
-            v.levels[i] = reinterpret_cast<const uint8_t*>(t.pixels.data()) +
-                          t.levels[std::min<size_t>(i, v.levelCount - 1)].offset;
-        v.halfLog2Texels = 0.5f * std::log2(float(v.width) * float(v.height));
-        v.isFloat = t.format == PixelFormat::rgba32f, v.isSrgb = t.colorSpace == ColorSpace::srgb;
-        v.wrapU = uint8_t(t.wrapU), v.wrapV = uint8_t(t.wrapV);
-        v.magNearest = t.magFilter == Filter::nearest,
-        v.minNearest = t.minFilter == Filter::nearest;
-        textures_.push_back(v);
-    }
+    if (fresh) textures_.push_back(textureView(*use.texture));
     slot.texture_index = it->second;
     slot.tex_coord = use.texCoord;
     const glm::mat3x2& m = use.uvTransform;
@@ -155,7 +142,7 @@ static_assert(LAYER_OPAQUE == uint32_t(LayerBlend::opaque) &&
 void MaterialTable::fillTextureLayers(MaterialRecord& r, const Material& m, glm::vec4 color) {
     if (m.textureLayers.empty()) return;
     r.base_color = glm::vec4(glm::vec3(m.baseColor), r.base_color.w);
-    r.textures |= SLOT_LAYERS;
+    r.textures |= SLOT_LAYERS, r.flags |= MATERIAL_VERTEX_COLOR;
     r.first_texture_layer = uint32_t(textureLayers_.size());
     for (const TextureLayer& source : m.textureLayers) {
         TextureLayerRecord layer{};

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "backend/cpu/scene_view.h"
+#include "frame/camera_params.h"
 #include "scene/camera.h"
 #include "shading/shading.h"
 
@@ -160,6 +161,7 @@ struct Kernels {
 using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
 
+#include "backend/cpu/isa/camera_params.h"
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"
 
