@@ -506,14 +506,36 @@ GP_API GpError gpSetSky(GpScene scene, float sunAzimuth, float sunElevation, flo
 
 typedef struct GpLoadOptions {
     double time;          /* seconds: where animations, morphs and skins stand */
-    uint32_t animation;   /* 0 = the first; n = number n, from 1; needs that many */
+    uint32_t animation;   /* 0 = the first; n = number n, from 1; needs that many;
+                             GP_ALL_ANIMATIONS */
     uint32_t scene;       /* 0 = the file's default; n = number n, from 1 */
+    int32_t playable;     /* not 0: keeps in memory what gpSetSceneTime needs; all animations of
+                             the file are then checked */
 } GpLoadOptions;
+
+/* All animations of a file at once; of two that move the same thing the later one wins. */
+#define GP_ALL_ANIMATIONS 0xffffffffu
 
 /* Adds the content of a .gltf or .glb file. On failure the scene is as it was. options may be
  * NULL. Extensions that the file requires and we lack are an error; those that it merely uses
  * are warnings, listed by gpDescribeScene. */
 GP_API GpError gpLoadSceneFile(GpScene scene, const char* path, const GpLoadOptions* options);
+
+typedef struct GpPlayOptions {
+    uint32_t animation;   /* 0 = those that play already (GpLoadOptions.animation at first); n =
+                             number n, from 1, of the list in gpDescribeScene, which plays in its
+                             file from now on; GP_ALL_ANIMATIONS = all of all files */
+    int32_t loop;         /* not 0: each animation starts again when it is over (its length is the
+                             time of its last key); 0: it holds still there */
+} GpPlayOptions;
+
+/* Moves what files brought to where it is at `time` seconds: instances, skins, morph targets,
+ * cameras and lights, exactly as if they were loaded for that time, but the objects stay the same:
+ * an instance keeps its id, a mesh whose vertices do not change its revision. Only files loaded
+ * with `playable` count; GP_ERROR_INVALID_OPERATION where the scene has none, or the chosen
+ * animation is of another file. GP_ERROR_FILE_INVALID where something would be beyond 1e18 m then.
+ * options may be NULL. Cost: that of the vertices of deformed meshes. */
+GP_API GpError gpSetSceneTime(GpScene scene, double time, const GpPlayOptions* options);
 
 typedef struct GpSceneInfo {
     uint64_t meshes, triangles;           /* unique */

@@ -151,6 +151,9 @@ public:
     void load(const std::string& path, const GpLoadOptions& options = {}) {
         check(gpLoadSceneFile(get(), path.c_str(), &options));
     }
+    void setTime(double time, const GpPlayOptions& options = {}) {
+        check(gpSetSceneTime(get(), time, &options));
+    }
     void setEnvironment(const GpEnvironmentDesc& desc) { check(gpSetEnvironment(get(), &desc)); }
     void setEnvironment(const std::string& path, const GpEnvironmentDesc& desc = {}) {
         check(gpSetEnvironmentFromFile(get(), path.c_str(), &desc));

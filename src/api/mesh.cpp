@@ -90,19 +90,7 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         gp::Mesh fresh;
         fresh.material = target.material;
         fill(fresh, *desc);
-        const bool joined = target.triangles == fresh.triangles &&
-                            target.positions.size() == fresh.positions.size();
-        target.positions.swap(fresh.positions);
-        target.triangles.swap(fresh.triangles);
-        target.vertices.swap(fresh.vertices);
-        target.uv1.swap(fresh.uv1);
-        target.colors.swap(fresh.colors);
-        target.givenVertex.swap(fresh.givenVertex);
-        target.givenCount = fresh.givenCount;
-        target.options = fresh.options;
-        target.tangentsGenerated = fresh.tangentsGenerated;
-        ++target.revision;
-        if (!joined) ++target.topologyRevision;
+        exchangeVertices(target, fresh);
         meshChanged(*object.device, target);
     });
 }

@@ -18,6 +18,7 @@
 #include "frame/frame_images.h"
 #include "frame/realtime.h"
 #include "glitterpath/glitterpath.h"
+#include "io/gltf.h"
 #include "scene/bsdf_evaluate.h"
 #include "scene/bsdf_registry.h"
 #include "scene/scene.h"
@@ -30,6 +31,13 @@ struct SceneObject;
 struct TextureOverrides {
     std::string folder;
     std::string albedo, rme, normal;  // postfixes
+};
+
+// A file that plays on (gpSetSceneTime).
+struct PlayingFile {
+    std::shared_ptr<io::GltfPlayer> player;
+    size_t firstAnimation = 0;  // where its animations begin in Scene::animations
+    int animation = -1;         // what plays, as GltfOptions::animation
 };
 
 struct DeviceObject final : Object {
@@ -84,6 +92,7 @@ struct SceneObject final : ChildObject {
     std::unordered_set<uint64_t> instanceIds, lightIds;
     std::unordered_map<const Mesh*, uint32_t> dynamicUses;  // instances a dynamic mesh has here
     std::set<std::string> cameraNames;            // keeps the pointers given out where they are
+    std::vector<PlayingFile> playing;
 };
 
 struct InstanceObject final : ChildObject {

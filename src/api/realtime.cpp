@@ -153,7 +153,7 @@ namespace {
 
 RealtimeImage layerNamed(const char* name) {
     std::vector<std::string> names;
-    for (size_t i = 0; i < realtimeImageCount; ++i) {
+    for (size_t i = 0; i < realtimeLayerCount; ++i) {
         names.emplace_back(realtimeImageInfo(RealtimeImage(i)).name);
         if (names.back() == name) return RealtimeImage(i);
     }
@@ -201,9 +201,9 @@ GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** mean
     auto body = [&](Object*) {
         checkPointer(name, "name");
         checkPointer(meaning, "meaning");
-        if (index >= gp::realtimeImageCount)
+        if (index >= gp::realtimeLayerCount)
             fail(GP_ERROR_OUT_OF_RANGE, "index is {}, but there are {} layers", index,
-                 gp::realtimeImageCount);
+                 gp::realtimeLayerCount);
         const gp::RealtimeImageInfo& info = gp::realtimeImageInfo(gp::RealtimeImage(index));
         *name = info.name;
         *meaning = info.meaning;

@@ -19,6 +19,8 @@ struct Loan {
     RealtimeImage image, owner;
     bool previous;
 };
+static_assert(infos[realtimeLayerCount - 1].copies > 0 && infos[realtimeLayerCount].copies == 0,
+              "images without memory of their own come last");
 constexpr Loan loans[] = {
     {RealtimeImage::direct_other, RealtimeImage::color, false},
     {RealtimeImage::specular_other, RealtimeImage::hit, true},

@@ -21,6 +21,12 @@ enum class RealtimeImage : uint32_t {
     count
 };
 constexpr size_t realtimeImageCount = size_t(RealtimeImage::count);
+// Those with memory of their own, which come first: what can be looked at.
+constexpr size_t realtimeLayerCount = 0
+#define X(name, format, size, copies, meaning) + (copies > 0 ? 1 : 0)
+#include "shared/realtime_images.def"
+#undef X
+    ;
 
 struct RealtimeImageInfo {
     const char* name;

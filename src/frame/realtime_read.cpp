@@ -50,6 +50,8 @@ struct Reader : ImageAccess {
     }
     vec4 shown(RealtimeImage which, uvec2 v) {
         if (which == RealtimeImage::normal) return vec4(octahedral_decode(v.x), 1);
+        if (which == RealtimeImage::indirect_guide)
+            return vec4(octahedral_decode(v.y), std::bit_cast<float>(v.x));
         return vec4(float(v.x), float(v.y), 0, 1);
     }
 

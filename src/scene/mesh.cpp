@@ -92,8 +92,15 @@ void repairNormals(MeshData& data, const std::vector<glm::uvec3>& triangles) {
     }
 }
 
-// Where the corners that share a vertex disagree about its tangent, it is copied.
-void addTangents(MeshData& data, std::vector<glm::uvec3>& triangles, const MeshOptions& options) {
+bool lacksTangents(const MeshData& data, const MeshOptions& options) {
+    return options.needsTangents && data.tangents.empty() &&
+           !data.uv[options.tangentUv & 1].empty();
+}
+
+// Where the corners that share a vertex disagree about its tangent, it is copied. Returns, for each
+// vertex, the one that it was.
+std::vector<uint32_t> addTangents(MeshData& data, std::vector<glm::uvec3>& triangles,
+                                  const MeshOptions& options) {
     std::vector<glm::vec2> uv = data.uv[options.tangentUv & 1];
     for (glm::vec2& p : uv) p = options.uvTransform * glm::vec3(p, 1);
     const std::vector<glm::vec4> corners =
@@ -121,6 +128,7 @@ void addTangents(MeshData& data, std::vector<glm::uvec3>& triangles, const MeshO
     data.tangents.clear();
     if (order.size() != count) gatherAll(data, order);
     data.tangents = std::move(tangents);
+    return order;
 }
 
 uint32_t packTangent(glm::vec3 normal, glm::vec4 tangent) {
@@ -172,6 +180,17 @@ glm::u8vec4 packColor(glm::vec4 c) {
 
 }  // namespace
 
+std::vector<uint32_t> giveTangents(MeshData& data, const MeshOptions& options) {
+    // Flat normals come with vertices that no triangles share: those need no copies.
+    if (!lacksTangents(data, options) || data.normals.empty()) return {};
+    std::vector<glm::uvec3> triangles = takeTriangles(data);
+    repairNormals(data, triangles);
+    std::vector<uint32_t> order = addTangents(data, triangles, options);
+    for (const glm::uvec3& t : triangles)
+        data.indices.insert(data.indices.end(), {t.x, t.y, t.z});
+    return order;
+}
+
 void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
     mesh.options = options;
     mesh.givenCount = data.positions.size();
@@ -180,8 +199,7 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
     mesh.triangles = takeTriangles(data);
     if (data.normals.empty()) makeFlat(data, mesh.triangles);
     else repairNormals(data, mesh.triangles);
-    if (options.needsTangents && data.tangents.empty() && !data.uv[options.tangentUv & 1].empty())
-        addTangents(data, mesh.triangles, options);
+    if (lacksTangents(data, options)) addTangents(data, mesh.triangles, options);
 
     const size_t count = data.positions.size();
     mesh.vertices.resize(count);
@@ -218,6 +236,22 @@ void updateTexCoords(Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& giv
     }
     for (size_t v = 0; v < mesh.vertices.size(); ++v)
         mesh.vertices[v].uv = uv.empty() ? glm::vec2(0) : uv[v];
+}
+
+void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept {
+    const bool joined = mesh.triangles == fresh.triangles &&
+                        mesh.positions.size() == fresh.positions.size();
+    if (!joined) ++mesh.topologyRevision;
+    mesh.positions.swap(fresh.positions);
+    mesh.triangles.swap(fresh.triangles);
+    mesh.vertices.swap(fresh.vertices);
+    mesh.uv1.swap(fresh.uv1);
+    mesh.colors.swap(fresh.colors);
+    mesh.givenVertex.swap(fresh.givenVertex);
+    mesh.givenCount = fresh.givenCount;
+    mesh.options = fresh.options;
+    mesh.tangentsGenerated = fresh.tangentsGenerated;
+    ++mesh.revision;
 }
 
 }  // namespace gp

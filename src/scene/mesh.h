@@ -68,6 +68,10 @@ struct Mesh {
     size_t vertexCount() const { return vertices.size(); }
 };
 
+// Gives `mesh` the vertices and triangles of `fresh`, which gets the old ones. Whatever a mesh has
+// beside them stays.
+void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept;
+
 // Checks nothing (callers have: finite positions, indices in range), generates what is missing,
 // drops no triangle. Generation may split vertices.
 void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options);
@@ -77,5 +81,10 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options);
 // so vertices cannot be split anew, and where generated tangents would need that, all are left to
 // the kernels, which then take them from each triangle.
 void updateTexCoords(Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& given);
+
+// Generates the tangents that fillMesh would, for what is deformed afterwards: its triangles then
+// keep their vertices over time. Returns, for each vertex that there is now, the one that it was,
+// since generation may split vertices; empty where nothing was to be done.
+std::vector<uint32_t> giveTangents(MeshData& data, const MeshOptions& options);
 
 }  // namespace gp

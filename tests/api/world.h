@@ -125,8 +125,8 @@ Rows frameRows();
 Rows renderRows();
 Rows imageRows();
 Rows bsdfRows();
-Rows changeRows();
 Rows drawRows();
 Rows immediateRows();
+Rows changeRows();
 
 }  // namespace gp::test

@@ -143,9 +143,10 @@ TEST(DenoiseRobustness, SkyKeepsOut) {
 }
 
 std::vector<float> resultsOf(int threads, int rowsAtOnce, const cpu::DenoiseKernels& kernels,
-                             Denoiser d) {
+                             Denoiser d, bool plain = false, ivec2 size = ivec2(53, 47)) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, size_t(threads));
-    DenoiseScene s(ivec2(53, 47));
+    DenoiseScene s(size);
+    s.plain = plain;
     s.kernels = &kernels;
     s.rowsAtOnce = rowsAtOnce;
     for (int frame = 0; frame < 8; ++frame) {
@@ -192,6 +193,24 @@ TEST(DenoiseRobustness, InstructionSetsAgree) {
     compare(cpu::denoise::kernelsAvx2, "avx2");
     if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
         compare(cpu::denoise::kernelsAvx512, "avx512");
+}
+
+// Wider than the runs that the twins work on, and not a multiple of anything.
+TEST(DenoiseRobustness, TwinsDoWhatThePlainKernelsDo) {
+    for (const ivec2 size : {ivec2(301, 47), ivec2(128, 9), ivec2(1, 20), ivec2(130, 1)}) {
+        const auto compare = [&](const cpu::DenoiseKernels& kernels, const char* name) {
+            const auto plain = resultsOf(2, 8, kernels, Denoiser::asvgf, true, size);
+            const auto fast = resultsOf(2, 8, kernels, Denoiser::asvgf, false, size);
+            for (size_t i = 0; i < plain.size(); ++i)  // eight frames of halves, other roundings
+                ASSERT_NEAR(plain[i], fast[i], 0.005f * (1.0f + std::abs(plain[i])))
+                    << name << " " << size.x << " " << i;
+        };
+        compare(cpu::denoise::kernelsX86_64, "x86-64");
+        __builtin_cpu_init();
+        if (__builtin_cpu_supports("avx2")) compare(cpu::denoise::kernelsAvx2, "avx2");
+        if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+            compare(cpu::denoise::kernelsAvx512, "avx512");
+    }
 }
 
 TEST(DenoiseRobustness, NamesGoBothWays) {

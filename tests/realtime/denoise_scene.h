@@ -52,6 +52,7 @@ struct DenoiseScene {
     Camera camera, previousCamera;
     const cpu::DenoiseKernels* kernels = &cpu::denoise::kernelsX86_64;
     int32_t rowsAtOnce = 16;
+    bool plain = false;  // without the optimised twins
 
     explicit DenoiseScene(ivec2 size) {
         memory.resize(size, size);
@@ -115,7 +116,7 @@ struct DenoiseScene {
                 const cpu::DenoiseJob job{&memory.views(), &constants, &camera, &previousCamera,
                                           pass.parameter, i * rowsAtOnce,
                                           std::min(rows, (i + 1) * rowsAtOnce)};
-                kernels->run[size_t(pass.kernel)](job);
+                (plain ? kernels->plain : kernels->run)[size_t(pass.kernel)](job);
             });
         }
     }

@@ -128,16 +128,6 @@ TEST(SceneMotion, FollowsLightsByIdObjectAndInstance) {
     EXPECT_EQ(motion.currentLightOfPrevious(), (std::vector<uint32_t>{NO_INDEX, 1, 0, 4, 5}));
 }
 
-TEST(SceneMotion, ForgetsOnDemand) {
-    Scene scene;
-    scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};
-    SceneMotion motion;
-    motion.remember(scene, makeLightTable(scene));
-    motion.forget();
-    motion.compare(scene, makeLightTable(scene));
-    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
-}
-
 // A polygon is as many lights as it has triangles; each finds itself again, or is gone.
 TEST(SceneMotion, FindsTheTrianglesOfPolygonalLights) {
     const auto polygon = [](uint64_t id, size_t corners) {
@@ -158,6 +148,16 @@ TEST(SceneMotion, FindsTheTrianglesOfPolygonalLights) {
     motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.currentLightOfPrevious(),
               (std::vector<uint32_t>{3, 4, NO_INDEX, 0, 1, 2}));
+}
+
+TEST(SceneMotion, ForgetsOnDemand) {
+    Scene scene;
+    scene.instances = {instance(mesh(MeshKind::staticMesh), 7, 0)};
+    SceneMotion motion;
+    motion.remember(scene, makeLightTable(scene));
+    motion.forget();
+    motion.compare(scene, makeLightTable(scene));
+    EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
 }
 
 }  // namespace

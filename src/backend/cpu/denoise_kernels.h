@@ -21,7 +21,8 @@ struct DenoiseJob {
 };
 
 struct DenoiseKernels {
-    void (*run[denoiseKernelCount])(const DenoiseJob&);
+    void (*plain[denoiseKernelCount])(const DenoiseJob&);  // pixel by pixel, for comparison
+    void (*run[denoiseKernelCount])(const DenoiseJob&);    // the same, as fast as there is
 };
 
 namespace denoise {

@@ -40,7 +40,7 @@ struct AtrousStops {
     float depth_diagonal;
     float specular_normal;  // the lobe's; direct light has filter_normal
     float roughness;
-    float specular_share;   // of neighbours: none for mirrors, whose pixels see different things
+    float specular_share;   // of neighbours
     float direct_luma;
     float specular_luma;
     float direct_stop;
@@ -51,6 +51,12 @@ struct AtrousStops {
 float specular_normal_stop(float roughness, float diffuse_stop) {
     float alpha = roughness * roughness;
     return diffuse_stop * clamp(0.25f / (alpha * alpha + 0.015625f), 1.0f, 16.0f);
+}
+
+// Smooth surfaces show different things in each pixel: their neighbours count less, and the further
+// away the less.
+float specular_filter_share(float roughness, int iteration) {
+    return clamp(30.0f * roughness - float(iteration), 0.0f, 1.0f);
 }
 
 AtrousStops atrous_stops(ivec2 pixel, int iteration, uint material, float depth, vec4 direct,
@@ -67,7 +73,7 @@ AtrousStops atrous_stops(ivec2 pixel, int iteration, uint material, float depth,
         1.0f / depth_allowance(depth, s.surface.slope, 2.0f * step, c.filter_depth);
     s.roughness = material_roughness(material);
     s.specular_normal = specular_normal_stop(s.roughness, c.filter_normal);
-    s.specular_share = clamp(30.0f * s.roughness - float(iteration), 0.0f, 1.0f);
+    s.specular_share = specular_filter_share(s.roughness, iteration);
     vec4 frames = load_history_length(pixel) * 255.0f;
     s.direct_luma = luminance(vec3(direct));
     s.specular_luma = luminance(vec3(specular));

@@ -17,7 +17,7 @@
 // [Dammertz et al. 2010, "Edge-Avoiding A-Trous Wavelet Transform", section 3.1]; a polynomial
 // costs two multiplications.
 float edge_weight(float x) {
-    float y = max(1.0f - 0.25f * x, 0.0f);
+    float y = x < 4.0f ? 1.0f - 0.25f * x : 0.0f;  // 0 for NaN too
     float y2 = y * y;
     return y2 * y2;
 }
