@@ -60,6 +60,8 @@ SunSettings parseSun(const std::string& word) {
     return sun;
 }
 
+}  // namespace
+
 void addLightOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Light";
     addWord(app, "--env", "FILE",
@@ -210,12 +212,8 @@ void addMachineOptions(CLI::App& app, RenderSettings& s) {
     app.add_flag("--quiet", s.quiet, "Say nothing but errors")->group(group);
 }
 
-}  // namespace
-
-void addRenderOptions(CLI::App& app, RenderSettings& s) {
+void addSceneOptions(CLI::App& app, RenderSettings& s) {
     app.add_option("SCENE", s.scenePath, "The scene: a .gltf or .glb file")->required();
-    addWord(app, "-o,--output", "OUT", "The picture: .png, .exr or .hdr",
-            [&s](const std::string& word) { s.outputPath = word; })->required();
     addSceneChoice(app, s.load);
     app.add_option("--material", s.materials,
                    "Replace materials of the file, NAME or all, by a model, a preset or a measured "
@@ -224,6 +222,12 @@ void addRenderOptions(CLI::App& app, RenderSettings& s) {
         ->group("Content of the file")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
+}
+
+void addRenderOptions(CLI::App& app, RenderSettings& s) {
+    addSceneOptions(app, s);
+    addWord(app, "-o,--output", "OUT", "The picture: .png, .exr or .hdr",
+            [&s](const std::string& word) { s.outputPath = word; })->required();
     addCameraOptions(app, s);
     addLightOptions(app, s);
     addQualityOptions(app, s);
@@ -249,18 +253,7 @@ PictureFormat pictureFormat(const std::string& path) {
     throw UsageError(fmt::format("--output: '{}' does not end in .png, .exr or .hdr", path));
 }
 
-void checkSettings(const CLI::App& app, const RenderSettings& s) {
-    checkMode(app, s.local);
-    if (!s.local.models.words.empty() && s.options.shading == GP_SHADING_DIFFUSE) {
-        throw UsageError("--lighting: not together with --shading diffuse");
-    }
-    const PictureFormat format = pictureFormat(s.outputPath);
-    if (s.save.layers != 0 && format != PictureFormat::exr) {
-        throw UsageError("--aov: only .exr files have layers");
-    }
-    if (s.save.fullFloat != 0 && format != PictureFormat::exr) {
-        throw UsageError("--full-float: only .exr files hold floats of two sizes");
-    }
+void checkLightSettings(const RenderSettings& s) {
     if (!s.environmentPath.empty() && s.environmentColor) {
         throw UsageError("--env-color: not together with --env");
     }
@@ -271,6 +264,24 @@ void checkSettings(const CLI::App& app, const RenderSettings& s) {
     if (s.sun && surrounded && s.sun->lux == 0) {
         throw UsageError("--sun: beside an environment it needs its illuminance in lux");
     }
+}
+
+void checkPictureSettings(const RenderSettings& s, PictureFormat format) {
+    if (s.save.layers != 0 && format != PictureFormat::exr) {
+        throw UsageError("--aov: only .exr files have layers");
+    }
+    if (s.save.fullFloat != 0 && format != PictureFormat::exr) {
+        throw UsageError("--full-float: only .exr files hold floats of two sizes");
+    }
+}
+
+void checkSettings(const CLI::App& app, const RenderSettings& s) {
+    checkMode(app, s.local);
+    if (!s.local.models.words.empty() && s.options.shading == GP_SHADING_DIFFUSE) {
+        throw UsageError("--lighting: not together with --shading diffuse");
+    }
+    checkPictureSettings(s, pictureFormat(s.outputPath));
+    checkLightSettings(s);
 }
 
 }  // namespace gp::tool

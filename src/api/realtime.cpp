@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "api/check.h"
 #include "api/scenes.h"
 #include "frame/realtime_read.h"
@@ -11,6 +14,12 @@
 namespace gp::api {
 
 namespace {
+
+static_assert(GP_DENOISER_SVGF == int(Denoiser::svgf) &&
+              GP_DENOISER_ATROUS == int(Denoiser::atrous) &&
+              GP_DENOISER_NONE == int(Denoiser::none));
+static_assert(GP_REUSE_UNBIASED == int(LightReuse::unbiased) &&
+              GP_AA_JITTER == int(AntiAliasing::jitter));
 
 constexpr uint32_t mirrorsAtMost = 16;
 
@@ -46,11 +55,36 @@ EyeAdaptation eyeFrom(const GpEyeAdaptation& e) {
     return eye;
 }
 
+DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
+    DenoiserParameters parameters;
+    if (o.parameterCount > 0) checkPointer(o.parameters, "options.realtime.parameters");
+    std::vector<std::string> names;
+    for (const DenoiserParameterInfo& info : denoiserParameters()) names.emplace_back(info.name);
+    for (uint32_t i = 0; i < o.parameterCount; ++i) {
+        const std::string field = fmt::format("options.realtime.parameters[{}]", i);
+        checkPointer(o.parameters[i].name, (field + ".name").c_str());
+        const auto found = std::find(names.begin(), names.end(), o.parameters[i].name);
+        if (found == names.end()) {
+            const std::string nearest = nearestWord(o.parameters[i].name, names);
+            fail(GP_ERROR_INVALID_ARGUMENT, "{}: no denoiser has a parameter \"{}\"{}", field,
+                 o.parameters[i].name,
+                 nearest.empty() ? "" : " (did you mean " + nearest + "?)");
+        }
+        const DenoiserParameterInfo& info =
+            denoiserParameters()[size_t(found - names.begin())];
+        checkRange(o.parameters[i].value, double(info.minimum), double(info.maximum),
+                   (field + ", " + info.name + ",").c_str());
+        parameters.*info.member = o.parameters[i].value;
+    }
+    return parameters;
+}
+
 }  // namespace
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 && o.eyeAdaptation.seconds == 0 &&
+           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
            o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
 }
 
@@ -60,7 +94,11 @@ RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
     plan.resetHistory = o.realtime.resetHistory != 0;
     plan.antiAliasing =
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
-    plan.lightReuse = LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.lightReuse =
+        LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.denoiser = Denoiser(checkEnum(o.realtime.denoiser, denoiserCount,
+                                       "options.realtime.denoiser"));
+    plan.parameters = parametersFrom(o.realtime);
     constexpr double longestStep = 3600;
     checkRange(o.realtime.timeStep, 0, longestStep, "options.realtime.timeStep");
     if (o.realtime.timeStep > 0) plan.timeStep = o.realtime.timeStep;
@@ -81,11 +119,12 @@ void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
     plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }
 
-void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan) {
+RealtimeResult renderRealtime(FrameObject& frame, SceneObject& scene,
+                              const RealtimePlan& plan) {
     std::atomic<bool>& cancel = *frame.device->cancel;
     const RealtimeResult result =
         frame.realtime->render(*frame.device->backend, *scene.backendScene, scene.scene, plan,
-                               frame.images.display, cancel);
+                               frame.images, cancel);
     GpFrameStatistics& s = frame.statistics;
     s.samplesPerPixel = 1;
     s.cameraRays = result.rays.camera;
@@ -96,11 +135,12 @@ void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& 
     s.accelerationBytes = scene.backendScene->accelerationBytes();
     frame.passes = result.passes;
     frame.rendered = !result.cancelled;
-    if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
+    return result;
 }
 
 void readImage(const FrameObject& frame, FrameImage which, void* pixels) {
-    if (!frame.realtime || which == FrameImage::display) {
+    const bool drawn = which == FrameImage::color && !frame.images.drawn.empty();
+    if (!frame.realtime || which == FrameImage::display || drawn) {
         readFrameImage(frame.images, which, pixels);
         return;
     }
@@ -169,6 +209,21 @@ GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** mean
         *meaning = info.meaning;
     };
     return enterFree("gpGetFrameLayerInfo", BodyRef(body));
+}
+
+GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed) {
+    return enter("gpDescribeDenoisers", "device", device, [&](DeviceObject&) {
+        nlohmann::ordered_json all;
+        for (size_t i = 0; i < gp::denoiserCount; ++i)
+            all["denoisers"].push_back(gp::denoiserName(gp::Denoiser(i)));
+        for (const gp::DenoiserParameterInfo& p : gp::denoiserParameters())
+            all["parameters"].push_back({{"name", p.name},
+                                         {"default", p.initial},
+                                         {"minimum", p.minimum},
+                                         {"maximum", p.maximum},
+                                         {"meaning", p.text}});
+        giveText(all.dump(2), text, size, needed);
+    });
 }
 
 }  // extern "C"

@@ -11,6 +11,6 @@ bool isDefault(const GpRealtimeOptions& options);
 RealtimePlan realtimePlanFrom(const GpRenderOptions& options);
 // The size of rays from that of the picture, into plan.frame.
 void setSizes(RealtimePlan& plan, const GpRenderOptions& options, glm::uvec2 output);
-void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan);
+RealtimeResult renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan);
 
 }  // namespace gp::api

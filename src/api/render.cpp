@@ -182,9 +182,22 @@ void note(FrameObject& frame, const SceneObject& scene, const RenderResult& resu
     s.accelerationBytes = scene.backendScene->accelerationBytes();
 }
 
+// What was drawn is drawn; the overlay alone may be wanted again.
+void useUpDraws(FrameObject& frame) {
+    frame.overlay.clear();
+    for (DrawCommand& draw : frame.draws)
+        if (draw.target == DrawTarget::overlay) frame.overlay.push_back(std::move(draw));
+    frame.draws.clear();
+    frame.drawElements = 0;
+    frame.statistics.frameBytes =
+        frame.images.bytes() + (frame.realtime ? frame.realtime->images().bytes() : 0);
+}
+
 // An exception in the middle leaves some pixels with more samples than others: empties the frame.
 void discard(FrameObject& frame) noexcept {
     std::fill(frame.images.sums.begin(), frame.images.sums.end(), PixelSums{});
+    frame.images.drawn = {};
+    frame.overlay.clear();
     const uint64_t bytes = frame.statistics.frameBytes;
     frame.statistics = {};
     frame.statistics.noise = -1;
@@ -206,6 +219,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     plan.height = frame.images.height;
     plan.camera = chooseCamera(scene->scene, camera, frame.images);
     checkAccumulation(frame, *scene, plan);
+    plan.draws = &frame.draws;
 
     std::atomic<bool>& cancel = *frame.device->cancel;
     cancel.store(false);
@@ -216,7 +230,10 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         realtime.frame = plan;
         setSizes(realtime, options, {plan.width, plan.height});
         frame.statistics.secondsBuild = build(*scene);
-        renderRealtime(frame, *scene, realtime);
+        const RealtimeResult result = renderRealtime(frame, *scene, realtime);
+        frame.camera = plan.camera;
+        useUpDraws(frame);
+        if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
         return;
     }
     const double secondsBuild = build(*scene);
@@ -232,6 +249,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     frame.scene = scene;
     frame.sceneRevision = scene->scene.revision;
     frame.camera = plan.camera;
+    useUpDraws(frame);
     note(frame, *scene, result, secondsBuild, plan.exposureEv);
     if (result.cancelled)
         fail(GP_ERROR_CANCELLED, "stopped at {} samples a pixel", result.samplesPerPixel);

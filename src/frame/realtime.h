@@ -35,9 +35,9 @@ public:
     void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }
 
-    // One frame, into images() and `display`. When cancelled or failing, history is forgotten.
+    // One frame, into images() and `picture`. When cancelled or failing, history is forgotten.
     RealtimeResult render(Backend& backend, const BackendScene& backendScene, const Scene& scene,
-                          const RealtimePlan& plan, std::vector<glm::u8vec4>& display,
+                          const RealtimePlan& plan, FrameImages& picture,
                           std::atomic<bool>& cancel);
 
 private:

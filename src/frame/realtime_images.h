@@ -57,6 +57,8 @@ public:
     // Of all images together where output and full are of one size, rounded up.
     static size_t bytesPerPixel();
 
+    bool filtered = false;  // a denoiser has run over the light
+
 private:
     void lend();
 

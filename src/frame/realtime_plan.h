@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include "frame/denoise.h"
+#include "frame/denoiser_parameters.h"
 #include "frame/eye_adaptation.h"
 #include "frame/frame_plan.h"
 
@@ -18,6 +20,8 @@ struct RealtimePlan {
     uint32_t mirrorLimit = 4;     // reflections and refractions before the surface that is shown
     AntiAliasing antiAliasing = AntiAliasing::temporal;
     LightReuse lightReuse = LightReuse::none;
+    Denoiser denoiser = Denoiser::asvgf;
+    DenoiserParameters parameters;
     bool resetHistory = false;
     float timeStep = 1.0f / 60;   // seconds since the last frame
     EyeAdaptation eye;

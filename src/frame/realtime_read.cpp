@@ -23,7 +23,12 @@ using namespace gp::shared;
 #include "backend/cpu/isa/image_access.h"
 
 struct Reader : ImageAccess {
-    using ImageAccess::ImageAccess;
+    RealtimeConstants constants{};
+
+    explicit Reader(const RealtimeImages& all) : ImageAccess(all.views()) {
+        constants.relights = all.filtered;
+    }
+    const RealtimeConstants& load_realtime() const { return constants; }
 #include "kernels/realtime/composite.glsl"
 #include "kernels/realtime/gbuffer.glsl"
 
@@ -98,7 +103,7 @@ void eachPixel(const RealtimeImages& images, RealtimeSize which, T* out, const F
 }  // namespace
 
 void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::vec4* pixels) {
-    Reader reader(images.views());
+    Reader reader(images);
     const RealtimeSize size = realtimeImageInfo(which).size;
     if (size == RealtimeSize::THIRD)  // its last blocks reach over the border
         eachPixel(images, RealtimeSize::FULL, pixels,
@@ -108,7 +113,7 @@ void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::v
 }
 
 void readRealtimeImage(const RealtimeImages& images, FrameImage which, void* pixels) {
-    Reader reader(images.views());
+    Reader reader(images);
     const RealtimeSize full = RealtimeSize::FULL;
     if (which == FrameImage::color) {
         eachPixel(images, RealtimeSize::OUTPUT, static_cast<vec4*>(pixels),

@@ -58,17 +58,22 @@ void SceneMotion::compareLights(const Scene& scene, const LightTable& lights) {
     std::unordered_map<const Light*, uint32_t> byObject;
     for (uint32_t i = 0; i < lights.sources.size(); ++i) {
         const Light& light = *lights.sources[i];
-        if (light.id != 0) byId[light.id] = i;
-        else byObject[&light] = i;
+        if (light.id != 0) byId.try_emplace(light.id, i);  // of a polygon its first triangle
+        else byObject.try_emplace(&light, i);
     }
+    const auto partOf = [&](uint32_t first, uint32_t part) {
+        const size_t i = size_t(first) + part;
+        const bool there = i < lights.sources.size() && lights.sources[i] == lights.sources[first];
+        return there ? uint32_t(i) : NO_INDEX;
+    };
     for (size_t i = 0; i < pastLights_.size(); ++i) {
         const PastLight& past = pastLights_[i];
         if (past.light && past.id != 0) {
             if (const auto found = byId.find(past.id); found != byId.end())
-                currentLight_[i] = found->second;
+                currentLight_[i] = partOf(found->second, past.primitive);
         } else if (past.light) {
             if (const auto found = byObject.find(past.light.get()); found != byObject.end())
-                currentLight_[i] = found->second;
+                currentLight_[i] = partOf(found->second, past.primitive);
         } else if (const uint32_t instance = currentOfPrevious_[past.instance];
                    instance != NO_INDEX && lights.lightMap[instance] != NO_INDEX) {
             currentLight_[i] = lights.lightOfTriangle[lights.lightMap[instance] + past.primitive];
@@ -89,8 +94,8 @@ void SceneMotion::rememberLights(const Scene& scene, const LightTable& lights) {
             past.id = past.light->id;
         } else {
             past.instance = lights.lights[i].instance;
-            past.primitive = lights.lights[i].primitive;
         }
+        past.primitive = lights.lights[i].primitive;
     }
 }
 

@@ -34,7 +34,7 @@ private:
     struct PastLight {
         std::shared_ptr<const Light> light;        // null: a triangle
         uint64_t id = 0;
-        uint32_t instance = 0, primitive = 0;
+        uint32_t instance = 0, primitive = 0;      // of a polygon: which of its triangles
     };
     void compareLights(const Scene& scene, const LightTable& lights);
     void rememberLights(const Scene& scene, const LightTable& lights);

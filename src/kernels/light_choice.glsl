@@ -239,6 +239,7 @@ TriangleLight triangle_light(IN(LightRecord) r) {
 // What textures and coverage make of an emissive triangle's radiance at one point. Coverage counts
 // because a ray that the material sends meets the triangle only as often as that.
 vec3 triangle_emission(IN(LightRecord) r, vec3 light_barycentrics) {
+    if (r.instance == NO_INDEX) { return r.emission; }  // a polygon's
     LET_REF(InstanceRecord) instance = load_instance(r.instance);
     LET_REF(MaterialRecord) m = load_material(instance.material);
     bool covers = (m.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u;
@@ -325,9 +326,9 @@ float light_pdf(IN(LightRecord) r, vec3 p, vec3 to_light) {
     return sphere_light_pdf(sphere_light(r), p, to_light);
 }
 
-// Radiance of a sphere or rectangle that a ray from p along `direction` met.
+// Radiance of a sphere, rectangle or polygon that a ray from p along `direction` met.
 vec3 light_radiance(IN(LightRecord) r, vec3 p, vec3 direction) {
-    if (r.kind == LIGHT_RECTANGLE) {
+    if (r.kind == LIGHT_RECTANGLE || r.kind == LIGHT_TRIANGLE) {
         return dot(r.direction, direction) < 0.0f || r.two_sided != 0u ? r.emission : vec3(0.0f);
     }
     return sphere_light_emission(sphere_light(r), p);

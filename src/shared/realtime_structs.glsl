@@ -56,9 +56,9 @@ struct RealtimeConstants {
     uint resolves;           // 1: anti-aliasing over time, or upscaling; 0: a copy
     uint light_reuse;        // LIGHT_REUSE_
     uint previous_lights;    // how many the last frame had
+    uint relights;           // 1: a denoiser has run over the indirect light
     uint pad0;
     uint pad1;
-    uint pad2;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"
 #undef X

@@ -1,4 +1,6 @@
 // SceneMotion by itself: which instance of the last frame an instance is.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "frame/scene_motion.h"
@@ -9,6 +11,7 @@ namespace {
 std::shared_ptr<Mesh> mesh(MeshKind kind, float x = 0, uint32_t triangles = 1) {
     auto m = std::make_shared<Mesh>();
     m->kind = kind;
+    m->material = std::make_shared<Material>();
     for (uint32_t i = 0; i < triangles; ++i) {
         for (glm::vec3 p : {glm::vec3(x, 0, 0), glm::vec3(x + 1, 0, 0), glm::vec3(x, 1, 0)})
             m->positions.push_back(p);
@@ -96,6 +99,55 @@ TEST(SceneMotion, AnotherMeshUnderTheSameIdIsItsSuccessor) {
     scene.instances = {instance(mesh(MeshKind::dynamic, 5, 2), 7, 0)};  // not of the same triangles
     motion.compare(scene, makeLightTable(scene));
     EXPECT_EQ(motion.instances()[0].index, NO_INDEX);
+}
+
+TEST(SceneMotion, FollowsLightsByIdObjectAndInstance) {
+    const auto light = [](uint64_t id) {
+        auto l = std::make_shared<Light>();
+        l->kind = LightKind::sphere, l->id = id;
+        return l;
+    };
+    auto glowing = std::make_shared<Material>();
+    glowing->emission = glm::vec3(1);
+    const auto lamp = mesh(MeshKind::movable, 0, 2);
+    lamp->material = glowing;
+    Scene scene;
+    scene.revision = 1;
+    scene.instances = {instance(mesh(MeshKind::movable), 1, 0), instance(lamp, 2, 0)};
+    scene.lights = {light(5), light(0), light(6)};
+    SceneMotion motion;
+    motion.remember(scene, makeLightTable(scene));
+    motion.compare(scene, makeLightTable(scene));
+    EXPECT_EQ(motion.currentLightOfPrevious(), (std::vector<uint32_t>{0, 1, 2, 3, 4}));
+
+    Scene next;
+    next.revision = 2;
+    next.instances = {scene.instances[1], scene.instances[0]};
+    next.lights = {light(6), scene.lights[1], light(7), light(8)};  // 5 went out
+    motion.compare(next, makeLightTable(next));
+    EXPECT_EQ(motion.currentLightOfPrevious(), (std::vector<uint32_t>{NO_INDEX, 1, 0, 4, 5}));
+}
+
+// A polygon is as many lights as it has triangles; each finds itself again, or is gone.
+TEST(SceneMotion, FindsTheTrianglesOfPolygonalLights) {
+    const auto polygon = [](uint64_t id, size_t corners) {
+        auto light = std::make_shared<Light>();
+        light->id = id, light->kind = LightKind::polygon;
+        for (size_t i = 0; i < corners; ++i) {
+            const float a = 6.2831853f * float(i) / float(corners);
+            light->corners.emplace_back(std::cos(a), std::sin(a), 0);
+        }
+        return light;
+    };
+    Scene scene;
+    scene.lights = {polygon(1, 5), polygon(2, 4), polygon(0, 3)};  // 3, 2 and 1 triangles
+    SceneMotion motion;
+    motion.remember(scene, makeLightTable(scene));
+    ++scene.revision;
+    scene.lights = {polygon(2, 4), scene.lights[2], polygon(1, 4)};
+    motion.compare(scene, makeLightTable(scene));
+    EXPECT_EQ(motion.currentLightOfPrevious(),
+              (std::vector<uint32_t>{3, 4, NO_INDEX, 0, 1, 2}));
 }
 
 TEST(SceneMotion, ForgetsOnDemand) {

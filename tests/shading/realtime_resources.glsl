@@ -26,7 +26,10 @@ PreviousCorners load_previous_corners(uint instance, uint primitive) {
     return previous_corners[instance + primitive];
 }
 uint load_current_instance(uint previous) { return current_of_previous[previous]; }
-uint load_current_light(uint previous) { return current_of_previous[previous]; }
+layout(std430, binding = 25) readonly buffer CurrentLightBuffer {
+    uint current_light_of_previous[];
+};
+uint load_current_light(uint previous) { return current_light_of_previous[previous]; }
 void note_draws(Sampler draws) {}
 
 #define VALUE_FLOAT1 float

@@ -50,6 +50,20 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     });
 }
 
+void CpuBackend::runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) {
+    constexpr int rowsAtOnce = 4;
+    const int rows = job.images.size[size_t(denoiseSize(pass.kernel))].y;
+    arena_.execute([&] {
+        tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int i) {
+            const DenormalsOff denormalsOff;
+            const int first = i * rowsAtOnce;
+            denoiseKernels_.run[size_t(pass.kernel)](
+                {&job.images, &job.constants, &job.frame.camera, &job.previousCamera,
+                 pass.parameter, first, std::min(first + rowsAtOnce, rows)});
+        });
+    });
+}
+
 LuminanceHistogram CpuBackend::luminanceHistogram(const RealtimeViews& images) {
     LuminanceHistogram histogram{};
     realtimeKernels_.luminanceHistogram(images, histogram.data());

@@ -54,6 +54,7 @@ struct SceneView {
     const shared::MaterialRecord* materials;
     const void* bsdfs;          // shading::BsdfParams, a type of each translation unit
     const shared::BsdfLayerRecord* bsdfLayers;
+    const shared::TextureLayerRecord* textureLayers;
     const TextureView* textures;
     const shared::LightRecord* lights;        // directional ones first
     const shared::LightTreeNode* lightTree;

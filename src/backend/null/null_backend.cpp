@@ -38,6 +38,7 @@ public:
     }
 
     RayCounts runRealtimePass(const RealtimeJob&, RealtimePass) override { return {}; }
+    void runDenoisePass(const RealtimeJob&, const DenoisePass&) override {}
     LuminanceHistogram luminanceHistogram(const RealtimeViews&) override { return {}; }
     void tonemapRealtime(const RealtimeViews&, float, Tonemap,
                          std::vector<glm::u8vec4>& display) override {
@@ -47,6 +48,7 @@ public:
     void tonemap(float, Tonemap, FrameImages& images) override {
         std::fill(images.display.begin(), images.display.end(), glm::u8vec4(0, 0, 0, 255));
     }
+    void rasterize(const DrawImages&, const std::vector<PlacedDraw>&) override {}
 };
 
 }  // namespace

@@ -1,15 +1,17 @@
 // The three channels and the surfaces' albedos together again.
-// Resources: load_… of the G-buffer and the channels, store_color.
+// Resources: load_realtime, load_… of the G-buffer and the channels, store_color.
 #ifndef GP_KERNELS_REALTIME_COMPOSITE_GLSL
 #define GP_KERNELS_REALTIME_COMPOSITE_GLSL
 #include "shading/frame.glsl"
 #include "shading/indirect_light.glsl"
 
-// Indirect diffuse light over albedo, at the mapped normal.
+// Filtered over many mapped normals, indirect light is that of the unmapped one; as the rays left
+// it, it is that of the pixel's own.
 vec3 composite_indirect(ivec2 pixel) {
     uvec2 normals = load_normal(pixel);
-    return indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel),
-                          octahedral_decode(normals.y), octahedral_decode(normals.x));
+    vec3 n = octahedral_decode(normals.x);
+    vec3 n0 = load_realtime().relights != 0u ? octahedral_decode(normals.y) : n;
+    return indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel), n0, n);
 }
 
 void realtime_composite(ivec2 pixel) {
