@@ -14,6 +14,7 @@ namespace {
 
 using tool::CameraKey;
 using tool::CameraKeys;
+using tool::orbitAt;
 
 CameraKey keyAt(double time, glm::dvec3 position) {
     CameraKey key;
