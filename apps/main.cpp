@@ -108,7 +108,7 @@ int run(int argumentCount, char** arguments) {
     tool.allow_extras();
     std::vector<Command> commands = {addRenderCommand(tool), addInfoCommand(tool),
                                      addCompareCommand(tool), addMakeSceneCommand(tool),
-                                     addBrdfCommand(tool)};
+                                     addBrdfCommand(tool), addViewCommand(tool)};
     for (const Command& command : commands) {
         command.app->allow_extras();
         command.app->fallthrough(false);
@@ -120,7 +120,8 @@ int run(int argumentCount, char** arguments) {
         command = chosen(commands);
         refuseExtras(tool, command ? command->app : nullptr);
         if (command == nullptr) {
-            throw UsageError("a subcommand is missing: render, info, compare, make-scene or brdf");
+            throw UsageError(
+                "a subcommand is missing: render, info, compare, make-scene, brdf or view");
         }
         return command->run();
     } catch (const CLI::Success& help) {

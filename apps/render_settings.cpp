@@ -60,6 +60,8 @@ SunSettings parseSun(const std::string& word) {
     return sun;
 }
 
+}  // namespace
+
 void addLightOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Light";
     addWord(app, "--env", "FILE",
@@ -84,12 +86,6 @@ void addLightOptions(CLI::App& app, RenderSettings& s) {
 
 void addCameraOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Camera";
-    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each "
-            "of a sheet)",
-            [&s](const std::string& word) {
-                s.size = parseSize("--size", word);
-                s.sizeGiven = true;
-            })->group(group);
     addWord(app, "--camera", "NAME|INDEX",
             "One of the file's cameras, counted from 0 (default: the first; none in the file: one "
             "that shows the whole scene)",
@@ -104,6 +100,27 @@ void addCameraOptions(CLI::App& app, RenderSettings& s) {
             [&s](const std::string& word) {
                 s.fovDeg = parseNumber("--fov", word, 0.01, 179.0);
             })->group(group);
+}
+
+void addMaterialOption(CLI::App& app, RenderSettings& s) {
+    app.add_option("--material", s.materials,
+                   "Replace materials of the file, NAME or all, by a model, a preset or a measured "
+                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
+        ->type_name("[NAME=]MODEL[:K=V,...]")
+        ->group("Content of the file")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+}
+
+namespace {
+
+void addSizeOption(CLI::App& app, RenderSettings& s) {
+    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each "
+            "of a sheet)",
+            [&s](const std::string& word) {
+                s.size = parseSize("--size", word);
+                s.sizeGiven = true;
+            })->group("Camera");
 }
 
 void addQualityOptions(CLI::App& app, RenderSettings& s) {
@@ -186,6 +203,8 @@ void addPictureOptions(CLI::App& app, RenderSettings& s) {
                           "EXR: 32-bit floats instead of 16-bit ones")->group(group);
 }
 
+}  // namespace
+
 void addMachineOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Machine and messages";
     addWord(app, "--threads", "N", "Processors to use (default 0: all)",
@@ -210,20 +229,13 @@ void addMachineOptions(CLI::App& app, RenderSettings& s) {
     app.add_flag("--quiet", s.quiet, "Say nothing but errors")->group(group);
 }
 
-}  // namespace
-
 void addRenderOptions(CLI::App& app, RenderSettings& s) {
     app.add_option("SCENE", s.scenePath, "The scene: a .gltf or .glb file")->required();
     addWord(app, "-o,--output", "OUT", "The picture: .png, .exr or .hdr",
             [&s](const std::string& word) { s.outputPath = word; })->required();
     addSceneChoice(app, s.load);
-    app.add_option("--material", s.materials,
-                   "Replace materials of the file, NAME or all, by a model, a preset or a measured "
-                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
-        ->type_name("[NAME=]MODEL[:K=V,...]")
-        ->group("Content of the file")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->allow_extra_args(false);
+    addMaterialOption(app, s);
+    addSizeOption(app, s);
     addCameraOptions(app, s);
     addLightOptions(app, s);
     addQualityOptions(app, s);
@@ -261,6 +273,10 @@ void checkSettings(const CLI::App& app, const RenderSettings& s) {
     if (s.save.fullFloat != 0 && format != PictureFormat::exr) {
         throw UsageError("--full-float: only .exr files hold floats of two sizes");
     }
+    checkLight(s);
+}
+
+void checkLight(const RenderSettings& s) {
     if (!s.environmentPath.empty() && s.environmentColor) {
         throw UsageError("--env-color: not together with --env");
     }

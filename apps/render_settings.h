@@ -62,6 +62,14 @@ struct RenderSettings {
 // The settings must outlive the parsing.
 void addRenderOptions(CLI::App& app, RenderSettings& settings);
 
+// Parts of them, for other commands that show scenes.
+void addMaterialOption(CLI::App& app, RenderSettings& settings);
+void addCameraOptions(CLI::App& app, RenderSettings& settings);
+void addLightOptions(CLI::App& app, RenderSettings& settings);
+void addMachineOptions(CLI::App& app, RenderSettings& settings);
+// What no single option of addLightOptions can know by itself; throws UsageError.
+void checkLight(const RenderSettings& settings);
+
 // By the ending of the name; throws UsageError.
 PictureFormat pictureFormat(const std::string& path);
 
