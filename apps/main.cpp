@@ -20,6 +20,7 @@ constexpr const char* kExamples =
     "  glitterpath make-scene still-life -o still-life.glb\n"
     "  glitterpath info still-life.glb\n"
     "  glitterpath render still-life.glb -o still-life.png --time-limit 60\n"
+    "  glitterpath animate fox.glb --frames 48 --path orbit -o fox.mp4\n"
     "  glitterpath compare test.exr reference.exr --heatmap difference.png\n"
     "  glitterpath brdf eval ward --wi 0,0,1 --wo 1,0,1\n\n"
     "`glitterpath SUBCOMMAND --help` tells all of a subcommand; docs/manual.md is the manual.\n"
@@ -108,7 +109,9 @@ int run(int argumentCount, char** arguments) {
     tool.allow_extras();
     std::vector<Command> commands = {addRenderCommand(tool), addInfoCommand(tool),
                                      addCompareCommand(tool), addMakeSceneCommand(tool),
-                                     addBrdfCommand(tool), addViewCommand(tool)};
+                                     addBrdfCommand(tool)};
+    commands.push_back(addAnimateCommand(tool));
+    commands.push_back(addViewCommand(tool));
     for (const Command& command : commands) {
         command.app->allow_extras();
         command.app->fallthrough(false);
@@ -121,7 +124,8 @@ int run(int argumentCount, char** arguments) {
         refuseExtras(tool, command ? command->app : nullptr);
         if (command == nullptr) {
             throw UsageError(
-                "a subcommand is missing: render, info, compare, make-scene, brdf or view");
+                "a subcommand is missing: render, animate, info, compare, make-scene, brdf or "
+                "view");
         }
         return command->run();
     } catch (const CLI::Success& help) {

@@ -21,6 +21,18 @@ int terminalColumns() {
     return size.ws_col;
 }
 
+std::string factsOf(const GpProgress& progress) {
+    std::string facts = fmt::format("{} spp  {:.2f} Mrays/s", progress.samplesPerPixel,
+                                    progress.raysPerSecond * 1.0e-6);
+    if (progress.noise >= 0) {
+        facts += fmt::format("  noise {:.2f} %", 100 * progress.noise);
+    }
+    if (progress.secondsRemaining >= 0) {
+        facts += fmt::format("  {} left", clockText(progress.secondsRemaining));
+    }
+    return facts;
+}
+
 }  // namespace
 
 bool stderrIsTerminal() {
@@ -28,16 +40,12 @@ bool stderrIsTerminal() {
 }
 
 std::string ProgressBar::text(const GpProgress& progress, int columns) {
-    const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
-    std::string facts =
-        fmt::format(" {:3.0f} %  {} spp  {:.2f} Mrays/s", std::floor(100 * fraction),
-                    progress.samplesPerPixel, progress.raysPerSecond * 1.0e-6);
-    if (progress.noise >= 0) {
-        facts += fmt::format("  noise {:.2f} %", 100 * progress.noise);
-    }
-    if (progress.secondsRemaining >= 0) {
-        facts += fmt::format("  {} left", clockText(progress.secondsRemaining));
-    }
+    return text(progress.fraction, factsOf(progress), columns);
+}
+
+std::string ProgressBar::text(double part, const std::string& what, int columns) {
+    const double fraction = std::clamp(part, 0.0, 1.0);
+    const std::string facts = fmt::format(" {:3.0f} %  {}", std::floor(100 * fraction), what);
     const int room = std::clamp(columns - static_cast<int>(facts.size()) - 3, 0, 40);
     if (room < 4) {
         return facts.substr(0, static_cast<std::size_t>(std::max(columns, 0)));
@@ -48,11 +56,15 @@ std::string ProgressBar::text(const GpProgress& progress, int columns) {
 }
 
 void ProgressBar::show(const GpProgress& progress) {
+    show(progress.fraction, factsOf(progress));
+}
+
+void ProgressBar::show(double fraction, const std::string& facts) {
     if (!m_visible) {
         return;
     }
     // Carriage return, the text, erase to the end of the line.
-    fmt::print(stderr, "\r{}\x1b[K", text(progress, terminalColumns()));
+    fmt::print(stderr, "\r{}\x1b[K", text(fraction, facts, terminalColumns()));
     std::fflush(stderr);
     m_drawn = true;
 }

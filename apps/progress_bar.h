@@ -15,10 +15,13 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     void show(const GpProgress& progress);
+    // fraction: 0..1 of the whole; facts: what the line says behind the bar and the percentage.
+    void show(double fraction, const std::string& facts);
     void clear();
 
     // What the line says, at most `columns` wide; apart from the terminal, for tests.
     static std::string text(const GpProgress& progress, int columns);
+    static std::string text(double fraction, const std::string& facts, int columns);
 
 private:
     bool m_visible = false;

@@ -86,6 +86,12 @@ void addLightOptions(CLI::App& app, RenderSettings& s) {
 
 void addCameraOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Camera";
+    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each "
+            "of a sheet)",
+            [&s](const std::string& word) {
+                s.size = parseSize("--size", word);
+                s.sizeGiven = true;
+            })->group(group);
     addWord(app, "--camera", "NAME|INDEX",
             "One of the file's cameras, counted from 0 (default: the first; none in the file: one "
             "that shows the whole scene)",
@@ -100,27 +106,6 @@ void addCameraOptions(CLI::App& app, RenderSettings& s) {
             [&s](const std::string& word) {
                 s.fovDeg = parseNumber("--fov", word, 0.01, 179.0);
             })->group(group);
-}
-
-void addMaterialOption(CLI::App& app, RenderSettings& s) {
-    app.add_option("--material", s.materials,
-                   "Replace materials of the file, NAME or all, by a model, a preset or a measured "
-                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
-        ->type_name("[NAME=]MODEL[:K=V,...]")
-        ->group("Content of the file")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->allow_extra_args(false);
-}
-
-namespace {
-
-void addSizeOption(CLI::App& app, RenderSettings& s) {
-    addWord(app, "--size", "WxH", "Pixels of the picture (default 1280x720; 320x180 for each "
-            "of a sheet)",
-            [&s](const std::string& word) {
-                s.size = parseSize("--size", word);
-                s.sizeGiven = true;
-            })->group("Camera");
 }
 
 void addQualityOptions(CLI::App& app, RenderSettings& s) {
@@ -203,8 +188,6 @@ void addPictureOptions(CLI::App& app, RenderSettings& s) {
                           "EXR: 32-bit floats instead of 16-bit ones")->group(group);
 }
 
-}  // namespace
-
 void addMachineOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Machine and messages";
     addWord(app, "--threads", "N", "Processors to use (default 0: all)",
@@ -229,13 +212,22 @@ void addMachineOptions(CLI::App& app, RenderSettings& s) {
     app.add_flag("--quiet", s.quiet, "Say nothing but errors")->group(group);
 }
 
-void addRenderOptions(CLI::App& app, RenderSettings& s) {
+void addSceneOptions(CLI::App& app, RenderSettings& s) {
     app.add_option("SCENE", s.scenePath, "The scene: a .gltf or .glb file")->required();
+    addSceneChoice(app, s.load);
+    app.add_option("--material", s.materials,
+                   "Replace materials of the file, NAME or all, by a model, a preset or a measured "
+                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
+        ->type_name("[NAME=]MODEL[:K=V,...]")
+        ->group("Content of the file")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+}
+
+void addRenderOptions(CLI::App& app, RenderSettings& s) {
+    addSceneOptions(app, s);
     addWord(app, "-o,--output", "OUT", "The picture: .png, .exr or .hdr",
             [&s](const std::string& word) { s.outputPath = word; })->required();
-    addSceneChoice(app, s.load);
-    addMaterialOption(app, s);
-    addSizeOption(app, s);
     addCameraOptions(app, s);
     addLightOptions(app, s);
     addQualityOptions(app, s);
@@ -261,22 +253,7 @@ PictureFormat pictureFormat(const std::string& path) {
     throw UsageError(fmt::format("--output: '{}' does not end in .png, .exr or .hdr", path));
 }
 
-void checkSettings(const CLI::App& app, const RenderSettings& s) {
-    checkMode(app, s.local);
-    if (!s.local.models.words.empty() && s.options.shading == GP_SHADING_DIFFUSE) {
-        throw UsageError("--lighting: not together with --shading diffuse");
-    }
-    const PictureFormat format = pictureFormat(s.outputPath);
-    if (s.save.layers != 0 && format != PictureFormat::exr) {
-        throw UsageError("--aov: only .exr files have layers");
-    }
-    if (s.save.fullFloat != 0 && format != PictureFormat::exr) {
-        throw UsageError("--full-float: only .exr files hold floats of two sizes");
-    }
-    checkLight(s);
-}
-
-void checkLight(const RenderSettings& s) {
+void checkLightSettings(const RenderSettings& s) {
     if (!s.environmentPath.empty() && s.environmentColor) {
         throw UsageError("--env-color: not together with --env");
     }
@@ -287,6 +264,24 @@ void checkLight(const RenderSettings& s) {
     if (s.sun && surrounded && s.sun->lux == 0) {
         throw UsageError("--sun: beside an environment it needs its illuminance in lux");
     }
+}
+
+void checkPictureSettings(const RenderSettings& s, PictureFormat format) {
+    if (s.save.layers != 0 && format != PictureFormat::exr) {
+        throw UsageError("--aov: only .exr files have layers");
+    }
+    if (s.save.fullFloat != 0 && format != PictureFormat::exr) {
+        throw UsageError("--full-float: only .exr files hold floats of two sizes");
+    }
+}
+
+void checkSettings(const CLI::App& app, const RenderSettings& s) {
+    checkMode(app, s.local);
+    if (!s.local.models.words.empty() && s.options.shading == GP_SHADING_DIFFUSE) {
+        throw UsageError("--lighting: not together with --shading diffuse");
+    }
+    checkPictureSettings(s, pictureFormat(s.outputPath));
+    checkLightSettings(s);
 }
 
 }  // namespace gp::tool

@@ -59,16 +59,16 @@ struct RenderSettings {
     std::string instructionSet;
 };
 
-// The settings must outlive the parsing.
+// All options of `render`. The settings must outlive the parsing, here and below.
 void addRenderOptions(CLI::App& app, RenderSettings& settings);
 
-// Parts of them, for other commands that show scenes.
-void addMaterialOption(CLI::App& app, RenderSettings& settings);
+// Groups of them, which other commands have too.
+void addSceneOptions(CLI::App& app, RenderSettings& settings);    // the file, and what of it
 void addCameraOptions(CLI::App& app, RenderSettings& settings);
 void addLightOptions(CLI::App& app, RenderSettings& settings);
+void addQualityOptions(CLI::App& app, RenderSettings& settings);
+void addPictureOptions(CLI::App& app, RenderSettings& settings);
 void addMachineOptions(CLI::App& app, RenderSettings& settings);
-// What no single option of addLightOptions can know by itself; throws UsageError.
-void checkLight(const RenderSettings& settings);
 
 // By the ending of the name; throws UsageError.
 PictureFormat pictureFormat(const std::string& path);
@@ -76,5 +76,8 @@ PictureFormat pictureFormat(const std::string& path);
 // What no single option can know by itself; throws UsageError. `app` is that of
 // addRenderOptions.
 void checkSettings(const CLI::App& app, const RenderSettings& settings);
+// The parts of it that belong to the groups. format: of what is written.
+void checkLightSettings(const RenderSettings& settings);
+void checkPictureSettings(const RenderSettings& settings, PictureFormat format);
 
 }  // namespace gp::tool

@@ -83,10 +83,12 @@ void addSceneChoice(CLI::App& app, GpLoadOptions& load) {
     addWord(app, "--time", "S", "Seconds: where animations stand (default 0)",
             [&load](const std::string& word) { load.time = parseNumber("--time", word); })
         ->group(group);
-    addWord(app, "--animation", "N", "Which animation plays, counted from 1 (default the first)",
+    addWord(app, "--animation", "N|all",
+            "Which animation plays, counted from 1, or all at once (default the first)",
             [&load](const std::string& word) {
-                load.animation =
-                    static_cast<std::uint32_t>(parseInteger("--animation", word, 1, 1u << 20));
+                load.animation = word == "all" ? GP_ALL_ANIMATIONS
+                                               : static_cast<std::uint32_t>(parseInteger(
+                                                     "--animation", word, 1, 1u << 20));
             })->group(group);
     addWord(app, "--scene", "N", "Which of the file's scenes, counted from 1 (default the file's)",
             [&load](const std::string& word) {

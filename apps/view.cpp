@@ -38,9 +38,6 @@ struct ViewSettings {
 
 void addViewOptions(CLI::App& app, ViewSettings& s) {
     const std::string group = "View";
-    addWord(app, "--size", "WxH", "Pixels of the window (default 1280x720)",
-            [&s](const std::string& word) { s.render.size = parseSize("--size", word); })
-        ->group(group);
     addWord(app, "--fps", "N",
             "Frames a second to keep up while something moves, by rendering fewer pixels "
             "(default 30)",
@@ -146,7 +143,7 @@ SceneFacts factsOf(GpDevice device, SceneSetup& setup, const RenderSettings& set
 
 int runView(ViewSettings& settings) {
     RenderSettings& render = settings.render;
-    checkLight(render);
+    checkLightSettings(render);
     if (!render.jsonPath.empty()) {
         checkWritable(render.jsonPath);
     }
@@ -178,12 +175,10 @@ int runView(ViewSettings& settings) {
 Command addViewCommand(CLI::App& tool) {
     CLI::App* app = tool.add_subcommand("view", "Fly through a scene in a window");
     const auto settings = std::make_shared<ViewSettings>();
-    app->add_option("SCENE", settings->render.scenePath, "The scene: a .gltf or .glb file")
-        ->required();
+    addSceneOptions(*app, settings->render);
     addViewOptions(*app, *settings);
-    addSceneChoice(*app, settings->render.load);
-    addMaterialOption(*app, settings->render);
     addCameraOptions(*app, settings->render);
+    app->get_option("--size")->description("Pixels of the window (default 1280x720)");
     addLightOptions(*app, settings->render);
     addMachineOptions(*app, settings->render);
     app->footer(kNotes);

@@ -66,6 +66,7 @@ typedef struct GpInstanceImpl* GpInstance;
 typedef struct GpLightImpl* GpLight;
 typedef struct GpFrameImpl* GpFrame;
 typedef struct GpBsdfImpl* GpBsdf;
+typedef struct GpImmediateImpl* GpImmediate;
 
 /* ------------------------------------------------------------------------------------ errors */
 
@@ -167,6 +168,47 @@ GP_API GpTexture gpNewTexture(GpDevice device, const GpTextureDesc* desc);
 GP_API GpTexture gpNewTextureFromFile(GpDevice device, const char* path, const GpTextureDesc* desc);
 GP_API GpError gpReleaseTexture(GpTexture texture);
 
+/* A rectangle of new pixels. */
+typedef struct GpTextureUpdate {
+    uint32_t x, y;            /* its upper left pixel in the texture */
+    uint32_t width, height;   /* at least 1 each; must lie inside of the texture */
+    GpPixelFormat format;     /* the texture's: files of 8 bits a channel make GP_FORMAT_RGBA8,
+                                 all others GP_FORMAT_RGBA32F, and floats are always linear */
+    const void* pixels;       /* of the rectangle alone, top row first; required */
+    size_t rowBytes;          /* 0 = tightly packed */
+} GpTextureUpdate;
+
+/* New pixels at any time; every material with this texture, and every scene with such a material,
+ * shows them from the next gpRender on, light of emission textures included. Cost: the mip chain
+ * below the rectangle. Another format is GP_ERROR_INVALID_ARGUMENT, a rectangle that leaves the
+ * texture GP_ERROR_OUT_OF_RANGE; a texture in whose place a file stands (gpSetTextureOverrides) is
+ * GP_ERROR_INVALID_OPERATION. */
+GP_API GpError gpUpdateTexture(GpTexture texture, const GpTextureUpdate* update);
+
+/* Files that stand in the place of textures by name, such as those of a mod. For a texture that
+ * has the name "walls/brick" FOLDER/walls/brick + POSTFIX + ENDING is looked for; the endings
+ * are .png, .jpg, .jpeg, .exr and .hdr, in this order, and the postfixes those of three maps:
+ *   albedo  RGB base colour (8-bit files: sRGB) and alpha; takes the place of the pixels
+ *   rme     R roughness, G metallic, B emission, linear; what is emitted is B times the colour of
+ *           the albedo map (of the texture's first pixels where there is none), in W/(m^2 sr)
+ *   normal  tangent space, Y up, linear
+ * rme and normal go into materials that use the texture as baseColorTexture, where their
+ * descriptor leaves normalTexture, metallicRoughnessTexture or emissionTexture NULL, with the
+ * coordinates and transform of baseColorTexture. The factors multiply them as always, but a
+ * metallic or an emission of 0 counts as 1 there. */
+typedef struct GpTextureOverrides {
+    const char* folder;        /* required */
+    const char* albedoPostfix; /* NULL = "_albedo"; may be "" */
+    const char* rmePostfix;    /* NULL = "_rme" */
+    const char* normalPostfix; /* NULL = "_n" */
+} GpTextureOverrides;
+
+/* For all textures made from now on; NULL ends it. A file that is not there is no error; one that
+ * cannot be read is an error of gpNewTexture, with the file's name. Names that are absolute or
+ * contain ".." are never looked for. A folder that is not there is GP_ERROR_FILE_NOT_FOUND; two
+ * postfixes that are the same are GP_ERROR_INVALID_ARGUMENT. */
+GP_API GpError gpSetTextureOverrides(GpDevice device, const GpTextureOverrides* overrides);
+
 /* --------------------------------------------------------------------------------- materials */
 
 /* A texture in a material: u' = transform[0] u + transform[1] v + transform[2], v' likewise with
@@ -204,6 +246,22 @@ typedef struct GpMaterialLayer {
     GpTextureUse mask;     /* linear; NULL = the weight alone */
     uint32_t maskChannel;  /* 0 red, 1 green, 2 blue, 3 alpha */
 } GpMaterialLayer;
+
+/* How a texture layer meets the colour below it, in linear light, channel by channel. */
+typedef enum GpLayerBlend {
+    GP_LAYER_OPAQUE = 0, /* in its place */
+    GP_LAYER_ALPHA = 1,  /* over it: below (1 - a) + layer a */
+    GP_LAYER_ADD = 2,    /* the sum, at most 1 */
+    GP_LAYER_SHADE = 3   /* twice the product, at most 1: a layer of 0.5 (188 of an sRGB texture's
+                            255) changes nothing. Light maps, detail textures */
+} GpLayerBlend;
+
+/* A texture over the base colour of a material. */
+typedef struct GpTextureLayer {
+    GpTextureUse texture;  /* RGBA, sRGB; NULL = the colour alone */
+    float color[4];        /* multiplies the texture; linear, 0..1; four zeros = white */
+    GpLayerBlend blend;    /* GP_LAYER_OPAQUE */
+} GpTextureLayer;
 
 /* glTF 2.0 metallic-roughness with the Khronos extensions; a texture multiplies its factor. All
  * factors are in 0..1 unless said otherwise. Or, where `bsdf` is set, any model of the library. */
@@ -264,11 +322,23 @@ typedef struct GpMaterialDesc {
     uint32_t layerCount;           /* at most 16 */
     const char* preset;            /* in the place of bsdf and layers: any word that a GpBsdfDesc
                                       takes as model; stacks of a file bring their masks */
+    /* Over base colour times its texture, in this order; what comes out is multiplied by the
+     * colours of vertices and of the instance. Alpha stays that of the base. */
+    const GpTextureLayer* textureLayers;
+    uint32_t textureLayerCount;    /* at most 2 */
 } GpMaterialDesc;
 
 /* desc may be NULL: white and diffuse with a dielectric sheen of its index. */
 GP_API GpMaterial gpNewMaterial(GpDevice device, const GpMaterialDesc* desc);
 GP_API GpError gpReleaseMaterial(GpMaterial material);
+/* A material that shows one of `count` others, the first to begin with; gpSetMaterialFrame chooses.
+ * It is used like any other; its name is that of the one that shows. 1..65536 frames, none of them
+ * animated itself (GP_ERROR_INVALID_ARGUMENT); their handles may be released after the call. */
+GP_API GpMaterial gpNewAnimatedMaterial(GpDevice device, const GpMaterial* frames, uint32_t count);
+/* From the next gpRender on every mesh and instance with this animated material shows that frame,
+ * counted from 0, light that it sends included. Past the end is GP_ERROR_OUT_OF_RANGE; a material
+ * that is not animated GP_ERROR_INVALID_OPERATION. */
+GP_API GpError gpSetMaterialFrame(GpMaterial material, uint32_t frame);
 /* Gives `material` to every instance of the scene whose material has this name; name NULL: to all
  * instances. *replaced (may be NULL) receives how many those are, which may be 0. */
 GP_API GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
@@ -308,6 +378,12 @@ GP_API GpMesh gpNewMesh(GpDevice device, const GpMeshDesc* desc);
  * The next gpRender builds its acceleration structure anew, at the quality that is quickest to
  * build. GP_ERROR_INVALID_OPERATION for the other kinds. */
 GP_API GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc);
+/* New texture coordinates for a mesh of any kind: uv for each vertex that the mesh was given, in
+ * that order; set 0 or 1; stride in bytes, 0 = tightly packed. uv NULL = zeros. Acceleration
+ * structures stay as they are. Tangents that were generated follow (where triangles that mirror the
+ * texture and others newly share a vertex, each triangle of the mesh takes its own); given ones
+ * stay. */
+GP_API GpError gpUpdateTexCoords(GpMesh mesh, uint32_t set, const float* uv, size_t stride);
 GP_API GpError gpReleaseMesh(GpMesh mesh);
 
 /* ------------------------------------------------------------------------- scenes, instances */
@@ -317,19 +393,42 @@ GP_API GpError gpReleaseScene(GpScene scene);
 
 enum { GP_VISIBLE_CAMERA = 1, GP_VISIBLE_BOUNCE = 2, GP_VISIBLE_SHADOW = 4 };
 
+/* Whose eyes see an instance. */
+typedef enum GpVisibility {
+    GP_VISIBILITY_WORLD = 0,        /* everyone's */
+    GP_VISIBILITY_FIRST_PERSON = 1, /* the viewer's hands and weapon: the camera sees them; they are
+                                       in no reflection, cast no shadow and light nothing */
+    GP_VISIBILITY_VIEWER_BODY = 2   /* the body that the viewer stands in: reflected and casting
+                                       shadows, but the camera looks through it */
+} GpVisibility;
+
 typedef struct GpInstanceDesc {
     uint64_t id;            /* yours, unique in the scene; 0 = none */
     GpMesh mesh;            /* required */
     GpMaterial material;    /* NULL = the mesh's */
     float worldFromObject[12]; /* 3 rows of 4; twelve zeros = identity. Must be invertible */
-    uint32_t invisibleTo;   /* GP_VISIBLE_ bits of the rays that pass through it; 0 = seen by all */
+    uint32_t invisibleTo;   /* GP_VISIBLE_ bits of the rays that pass through it, beside those that
+                               `visibility` lets pass; 0 = none. What bounced rays do not see lights
+                               nothing either */
     const char* name;
+    GpVisibility visibility;/* GP_VISIBILITY_WORLD */
+    float color[4];         /* linear RGB and alpha, 0..1: multiplies the base colour, as colours of
+                               vertices do; four zeros = white. Alpha counts where the material's
+                               alphaMode looks at it */
 } GpInstanceDesc;
 
 /* The instance belongs to the scene until it is removed; your handle may be released before. */
 GP_API GpInstance gpNewInstance(GpScene scene, const GpInstanceDesc* desc);
 /* For instances of movable and dynamic meshes; twelve floats, 3 rows of 4. */
 GP_API GpError gpSetInstanceTransform(GpInstance instance, const float* worldFromObject);
+/* Another material; NULL = the mesh's. */
+GP_API GpError gpSetInstanceMaterial(GpInstance instance, GpMaterial material);
+/* Four floats, taken as they stand; NULL = white. Each pair of a material and a colour costs about
+ * 1 KB in the scene. */
+GP_API GpError gpSetInstanceColor(GpInstance instance, const float* color);
+/* visibility and invisibleTo of GpInstanceDesc anew. */
+GP_API GpError gpSetInstanceVisibility(GpInstance instance, GpVisibility visibility,
+                                       uint32_t invisibleTo);
 /* Takes it out of its scene and releases the handle. */
 GP_API GpError gpRemoveInstance(GpInstance instance);
 /* Gives up the handle; the instance stays in its scene. */
@@ -341,12 +440,15 @@ typedef enum GpLightKind {
     GP_LIGHT_DIRECTIONAL = 0, /* the sun: parallel, or from a disk of angularRadius */
     GP_LIGHT_SPHERE = 1,      /* or a point, with radius 0 */
     GP_LIGHT_SPOT = 2,        /* a sphere (or point) whose light leaves within a cone */
-    GP_LIGHT_RECTANGLE = 3
+    GP_LIGHT_RECTANGLE = 3,
+    GP_LIGHT_POLYGON = 4      /* flat and convex */
 } GpLightKind;
 
 typedef enum GpLightUnit {
-    GP_UNIT_RADIOMETRIC = 0, /* directional W/m^2; sphere and spot W/sr; rectangle W/(m^2 sr) */
-    GP_UNIT_PHOTOMETRIC = 1, /* directional lux; sphere and spot candela; rectangle candela/m^2 */
+    GP_UNIT_RADIOMETRIC = 0, /* directional W/m^2; sphere and spot W/sr; rectangle and polygon
+                                W/(m^2 sr) */
+    GP_UNIT_PHOTOMETRIC = 1, /* directional lux; sphere and spot candela; rectangle and polygon
+                                candela/m^2 */
     GP_UNIT_POWER_W = 2,     /* whole power in watts (not directional). Spots: as if all around */
     GP_UNIT_POWER_LM = 3     /* the same in lumens */
 } GpLightUnit;
@@ -365,9 +467,13 @@ typedef struct GpLightDesc {
     float innerAngle;     /* spot: radians from the axis, 0..outerAngle */
     float outerAngle;     /* spot: 0 = pi/4; at most pi/2 */
     float edgeU[3], edgeV[3]; /* rectangle: its edges from the corner; light leaves along U x V */
-    int32_t twoSided;     /* rectangle */
-    int32_t invisible;    /* not 0: camera rays do not see the sphere or rectangle itself */
+    int32_t twoSided;     /* rectangle, polygon */
+    int32_t invisible;    /* not 0: camera rays do not see the sphere, rectangle or polygon */
     const char* name;
+    const float* corners; /* polygon: xyz of each, in one plane and convex, within 1e-4 of its size;
+                             light leaves on the side that sees them counter-clockwise. For other
+                             shapes take several polygons */
+    uint32_t cornerCount; /* polygon: 3..1024 */
 } GpLightDesc;
 
 GP_API GpLight gpNewLight(GpScene scene, const GpLightDesc* desc);
@@ -400,14 +506,36 @@ GP_API GpError gpSetSky(GpScene scene, float sunAzimuth, float sunElevation, flo
 
 typedef struct GpLoadOptions {
     double time;          /* seconds: where animations, morphs and skins stand */
-    uint32_t animation;   /* 0 = the first; n = number n, from 1; needs that many */
+    uint32_t animation;   /* 0 = the first; n = number n, from 1; needs that many;
+                             GP_ALL_ANIMATIONS */
     uint32_t scene;       /* 0 = the file's default; n = number n, from 1 */
+    int32_t playable;     /* not 0: keeps in memory what gpSetSceneTime needs; all animations of
+                             the file are then checked */
 } GpLoadOptions;
+
+/* All animations of a file at once; of two that move the same thing the later one wins. */
+#define GP_ALL_ANIMATIONS 0xffffffffu
 
 /* Adds the content of a .gltf or .glb file. On failure the scene is as it was. options may be
  * NULL. Extensions that the file requires and we lack are an error; those that it merely uses
  * are warnings, listed by gpDescribeScene. */
 GP_API GpError gpLoadSceneFile(GpScene scene, const char* path, const GpLoadOptions* options);
+
+typedef struct GpPlayOptions {
+    uint32_t animation;   /* 0 = those that play already (GpLoadOptions.animation at first); n =
+                             number n, from 1, of the list in gpDescribeScene, which plays in its
+                             file from now on; GP_ALL_ANIMATIONS = all of all files */
+    int32_t loop;         /* not 0: each animation starts again when it is over (its length is the
+                             time of its last key); 0: it holds still there */
+} GpPlayOptions;
+
+/* Moves what files brought to where it is at `time` seconds: instances, skins, morph targets,
+ * cameras and lights, exactly as if they were loaded for that time, but the objects stay the same:
+ * an instance keeps its id, a mesh whose vertices do not change its revision. Only files loaded
+ * with `playable` count; GP_ERROR_INVALID_OPERATION where the scene has none, or the chosen
+ * animation is of another file. GP_ERROR_FILE_INVALID where something would be beyond 1e18 m then.
+ * options may be NULL. Cost: that of the vertices of deformed meshes. */
+GP_API GpError gpSetSceneTime(GpScene scene, double time, const GpPlayOptions* options);
 
 typedef struct GpSceneInfo {
     uint64_t meshes, triangles;           /* unique */
@@ -544,7 +672,8 @@ typedef enum GpFalloff {
 
 /* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
  * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
- * their centre with their whole power, directional lights as if their angularRadius were 0.
+ * their centre with their whole power, polygons from the centres of their triangles, directional
+ * lights as if their angularRadius were 0.
  * Surfaces that glow show it, but light nothing. The environment is the background, and its mean
  * radiance is added to `ambient`; ambient light times the surface's albedo (GP_IMAGE_ALBEDO) is
  * added too. */
@@ -569,6 +698,38 @@ typedef enum GpAntiAliasing {
     GP_AA_JITTER = 2    /* rays move, nothing else: for applications that average frames */
 } GpAntiAliasing;
 
+/* What makes a stable picture of noisy channels. */
+typedef enum GpDenoiser {
+    GP_DENOISER_ASVGF = 0,  /* mean over frames that ends where light changes, then over neighbours
+                               by their variance [Schied, Peters and Dachsbacher 2018] */
+    GP_DENOISER_SVGF = 1,   /* a mean over frames of fixed length [Schied et al. 2017] */
+    GP_DENOISER_ATROUS = 2, /* neighbours only, nothing over frames [Dammertz et al. 2010] */
+    GP_DENOISER_NONE = 3
+} GpDenoiser;
+
+/* A number of the denoisers, light reuse or anti-aliasing that is not to have its default:
+ * gpDescribeDenoisers lists them. */
+typedef struct GpDenoiserParameter {
+    const char* name;
+    float value;
+} GpDenoiserParameter;
+
+/* How a pixel's shadow ray chooses among the lights that are not directional.
+ * [Bitterli et al. 2020, "ReSTIR"] */
+typedef enum GpLightReuse {
+    GP_REUSE_NONE = 0,    /* by expected irradiance, each pixel and frame by itself */
+    GP_REUSE_BIASED = 1,  /* with what this and nearby pixels found in the last frame: less noise,
+                             somewhat too dark where few pixels see a light */
+    GP_REUSE_UNBIASED = 2 /* the same with the right weights: more noise there, and slower */
+} GpLightReuse;
+
+/* The exposure follows what the frame shows: the middle tones become a middle grey, and exposureEv
+ * is added to that. */
+typedef struct GpEyeAdaptation {
+    float seconds;      /* until 63 % of the way to another exposure is done; 0 = no adaptation */
+    float evMin, evMax; /* of the exposure that is found; both 0 = -10 and 10 */
+} GpEyeAdaptation;
+
 typedef struct GpRealtimeOptions {
     int32_t resetHistory;   /* not 0: nothing of earlier frames is used, as after a cut */
     GpAntiAliasing antiAliasing;
@@ -576,6 +737,12 @@ typedef struct GpRealtimeOptions {
                                1 the picture is scaled up over time; a change forgets history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
+    GpDenoiser denoiser;
+    const GpDenoiserParameter* parameters; /* those that are not here have their defaults */
+    uint32_t parameterCount;
+    GpLightReuse lightReuse;
+    float timeStep;         /* seconds since the last frame; 0 = 1/60 */
+    GpEyeAdaptation eyeAdaptation;
 } GpRealtimeOptions;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
@@ -613,7 +780,8 @@ GP_API GpError gpRender(GpFrame frame, GpScene scene, const GpCameraDesc* camera
                         const GpRenderOptions* options);
 /* Ends a running gpRender of this device soon; any thread, also from a signal handler. */
 GP_API void gpCancelRender(GpDevice device);
-/* DISPLAY anew with another exposure and tone map, without tracing. */
+/* DISPLAY anew with another exposure and tone map, without tracing; the overlay that the last
+ * gpRender drew is drawn again (gpDraw). */
 GP_API GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap);
 /* Copies an image out. `size` must be at least width * height * bytesPerPixel. */
 GP_API GpError gpReadFrameImage(GpFrame frame, GpFrameImage image, void* pixels, size_t size);
@@ -636,6 +804,7 @@ typedef struct GpFrameStatistics {
     double noise;                      /* relative error, < 0: too few samples to say */
     uint64_t accelerationBytes;        /* memory of the acceleration structures */
     uint64_t frameBytes;               /* memory of the frame's images */
+    float exposureEv;                  /* of the last gpRender, eye adaptation included */
 } GpFrameStatistics;
 
 GP_API GpError gpGetFrameStatistics(GpFrame frame, GpFrameStatistics* statistics);
@@ -657,9 +826,161 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
  * message names the nearest known one. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
+/* The denoisers by name, and all their parameters with name, default, range and meaning, as a JSON
+ * text; sizes as in gpDescribeScene. */
+GP_API GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed);
 /* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
  * Needs no device. */
 GP_API GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** meaning);
+
+/* ----------------------------------------------------------------------- rasterised geometry
+ * Triangles that are drawn into the traced picture: sprites, particles, user interfaces. They cast
+ * no light and no shadows, and rays do not meet them. */
+
+/* Where to. First all of SKY is drawn, then SCENE, then tone mapping runs, then OVERLAY is drawn;
+ * within each in the order of the calls. Each has a depth of its own: SCENE begins with that of the
+ * traced picture (GP_IMAGE_DEPTH), the others with nothing but infinitely far away. */
+typedef enum GpDrawTarget {
+    GP_DRAW_SCENE = 0,   /* into GP_IMAGE_COLOR: linear radiance, hidden by what was traced. The
+                            other images keep what was traced. A pixel that shows both a surface and
+                            what is behind its edge counts as the surface */
+    GP_DRAW_OVERLAY = 1, /* into GP_IMAGE_DISPLAY: sRGB-encoded, over everything. Colours, and
+                            8-bit textures of either colour space, are taken as they stand, and
+                            blended so; float textures are encoded */
+    GP_DRAW_SKY = 2      /* into GP_IMAGE_COLOR, only where camera rays met nothing; pixels at the
+                            edges of surfaces get their share. Seen with the camera at the origin,
+                            so that what surrounds (0, 0, 0) seems infinitely far away. Reflections
+                            and bounced light do not see it yet: they see the environment */
+} GpDrawTarget;
+
+/* What positions mean. The lens of the camera (apertureRadius) never blurs what is drawn. */
+typedef enum GpDrawView {
+    GP_VIEW_DEFAULT = 0, /* SCENE and SKY: GP_VIEW_CAMERA; OVERLAY: GP_VIEW_PIXELS */
+    GP_VIEW_CAMERA = 1,  /* world space, seen by the camera of gpRender; nothing behind it shows */
+    GP_VIEW_PIXELS = 2,  /* x to the right and y down from the viewport's upper left corner, in
+                            pixels; depth is z */
+    GP_VIEW_MATRIX = 3   /* through viewProjection, clipped as OpenGL does: -w <= x, y, z <= w, +y
+                            is up. Depth is w, where the matrix is a perspective (its w must be
+                            metres along the view, as it is in every usual one), else z after the
+                            matrix */
+} GpDrawView;
+
+/* What source (what is drawn) and destination (what is there) are multiplied by before they are
+ * added: OpenGL's factors. */
+typedef enum GpBlendFactor {
+    GP_BLEND_DEFAULT = 0, /* as said beside the field */
+    GP_BLEND_ZERO = 1,
+    GP_BLEND_ONE = 2,
+    GP_BLEND_SRC_COLOR = 3,
+    GP_BLEND_ONE_MINUS_SRC_COLOR = 4,
+    GP_BLEND_SRC_ALPHA = 5,
+    GP_BLEND_ONE_MINUS_SRC_ALPHA = 6,
+    GP_BLEND_DST_ALPHA = 7,
+    GP_BLEND_ONE_MINUS_DST_ALPHA = 8,
+    GP_BLEND_DST_COLOR = 9,
+    GP_BLEND_ONE_MINUS_DST_COLOR = 10,
+    GP_BLEND_SRC_ALPHA_SATURATE = 11 /* min(source alpha, 1 - destination alpha); 1 for alpha */
+} GpBlendFactor;
+
+/* Drawn where this holds for its own depth against the depth that is there. */
+typedef enum GpDepthTest {
+    GP_DEPTH_DEFAULT = 0, /* SCENE: GP_DEPTH_LESS_OR_EQUAL; the others: GP_DEPTH_ALWAYS */
+    GP_DEPTH_NEVER = 1,
+    GP_DEPTH_LESS = 2,
+    GP_DEPTH_EQUAL = 3,
+    GP_DEPTH_LESS_OR_EQUAL = 4,
+    GP_DEPTH_GREATER = 5,
+    GP_DEPTH_NOT_EQUAL = 6,
+    GP_DEPTH_GREATER_OR_EQUAL = 7,
+    GP_DEPTH_ALWAYS = 8
+} GpDepthTest;
+
+/* A triangle's front is the side from which its corners run counter-clockwise. */
+typedef enum GpCull { GP_CULL_NONE = 0, GP_CULL_BACK = 1, GP_CULL_FRONT = 2 } GpCull;
+
+#define GP_GIVEN_DRAW_COLOR 1 /* of GpDrawDesc.given */
+
+/* Strides are in bytes; 0 = tightly packed. What is drawn is color * colors * texture. */
+typedef struct GpDrawDesc {
+    GpDrawTarget target;         /* GP_DRAW_SCENE */
+    uint32_t given;              /* GP_GIVEN_DRAW_COLOR: four zeros in color count */
+    uint32_t vertexCount;        /* at most 2^24 */
+    const float* positions;      /* finite; required */
+    size_t positionStride;
+    uint32_t positionComponents; /* 3 (xyz, w is 1) or 4 (xyzw); 0 = 3 */
+    const float* texCoords;      /* uv; NULL = zeros */
+    size_t texCoordStride;
+    const float* colors;         /* RGBA, 0..1e6 (alpha 0..1), interpolated; NULL = white */
+    size_t colorStride;
+    const uint32_t* indices;     /* three a triangle; NULL = vertices in order */
+    uint32_t indexCount;         /* a multiple of 3, at most 2^26; without indices vertexCount is */
+    GpTexture texture;           /* NULL = none; read with its own wraps, filters and mipmaps. May
+                                    be released after the call */
+    float color[4];              /* RGBA, 0..1e6 (alpha 0..1); four zeros = white */
+    float alphaThreshold;        /* what has less alpha is not drawn, 0..1; 0 = all is drawn */
+    int32_t blend;               /* 0: the source replaces what is there; else by these factors */
+    GpBlendFactor blendSource;           /* GP_BLEND_SRC_ALPHA */
+    GpBlendFactor blendDestination;      /* GP_BLEND_ONE_MINUS_SRC_ALPHA; not SATURATE */
+    GpBlendFactor blendSourceAlpha;      /* for alpha: as blendSource, but GP_BLEND_ONE in the place
+                                            of GP_BLEND_SRC_ALPHA, so that coverage adds up */
+    GpBlendFactor blendDestinationAlpha; /* for alpha: as blendDestination; not SATURATE */
+    GpDepthTest depthTest;       /* GP_DEPTH_DEFAULT */
+    int32_t depthWrite;          /* not 0: hides what is drawn behind it later */
+    float depthBias;             /* depth * (1 - depthBias) counts, -1..1. Before it is compared,
+                                    traced depth is made farther by 1e-4 of itself, so that what
+                                    lies in a traced surface shows */
+    GpCull cull;                 /* GP_CULL_NONE */
+    GpDrawView view;             /* GP_VIEW_DEFAULT */
+    float viewProjection[16];    /* GP_VIEW_MATRIX: 4 rows of 4, clip = viewProjection * world */
+    float worldFromObject[12];   /* 3 rows of 4; twelve zeros = identity */
+    float viewport[4];           /* x, y of the upper left corner, width, height, in pixels, each
+                                    within 32768; four zeros = the frame. May reach beyond it */
+} GpDrawDesc;
+
+/* Draws with the next gpRender into `frame`, which uses up what was handed over before it, also
+ * when it is cancelled; one that fails otherwise leaves it waiting. Everything is copied. At most
+ * 65,536 draws with 2^26 vertices and indices in all may wait: GP_ERROR_TOO_LARGE. Alpha of a
+ * picture is coverage; it follows from the blend factors as colour does. */
+GP_API GpError gpDraw(GpFrame frame, const GpDrawDesc* desc);
+
+/* Immediate mode, as in OpenGL 1: vertices one by one into an object that then fills a GpMeshDesc
+ * (geometry that is traced) or a GpDrawDesc (geometry that is drawn). */
+typedef enum GpPrimitive {
+    GP_TRIANGLES = 0,
+    GP_TRIANGLE_STRIP = 1,
+    GP_TRIANGLE_FAN = 2,
+    GP_QUADS = 3,
+    GP_QUAD_STRIP = 4,
+    GP_POLYGON = 5 /* convex */
+} GpPrimitive;
+
+typedef enum GpShadeModel {
+    GP_SHADE_SMOOTH = 0, /* colours are interpolated */
+    GP_SHADE_FLAT = 1    /* a triangle or quad has the colour of its last vertex, a polygon that of
+                            its first [OpenGL 2.1 specification, section 2.14.7] */
+} GpShadeModel;
+
+GP_API GpImmediate gpNewImmediate(GpDevice device);
+GP_API GpError gpReleaseImmediate(GpImmediate immediate);
+/* Forgets all vertices; colour, normal, texture coordinate and shade model stay. Not between
+ * gpBegin and gpEnd, as all calls of this section but the next four: GP_ERROR_INVALID_OPERATION. */
+GP_API GpError gpClearImmediate(GpImmediate immediate);
+/* What the next vertices have; at first white, (0, 0, 1), (0, 0). Finite; colour: linear RGBA. */
+GP_API GpError gpColor4f(GpImmediate immediate, float r, float g, float b, float a);
+GP_API GpError gpNormal3f(GpImmediate immediate, float x, float y, float z);
+GP_API GpError gpTexCoord2f(GpImmediate immediate, float u, float v);
+/* Only between gpBegin and gpEnd. At most 2^24 vertices in all. */
+GP_API GpError gpVertex3f(GpImmediate immediate, float x, float y, float z);
+GP_API GpError gpShadeModel(GpImmediate immediate, GpShadeModel model);
+GP_API GpError gpBegin(GpImmediate immediate, GpPrimitive primitive);
+/* Vertices that do not complete a triangle or quad are left out. */
+GP_API GpError gpEnd(GpImmediate immediate);
+/* Sets counts, strides and the pointers to positions, indices and, where they were set since the
+ * object was made, colours, normals, texture coordinates; the other fields stay. The pointers hold
+ * until the next call on `immediate`, these two apart. GP_ERROR_INVALID_OPERATION where there is no
+ * whole triangle. */
+GP_API GpError gpGetImmediateMesh(GpImmediate immediate, GpMeshDesc* desc);
+GP_API GpError gpGetImmediateDraw(GpImmediate immediate, GpDrawDesc* desc);
 
 /* ------------------------------------------------------------------------------- image files */
 

@@ -95,6 +95,10 @@ public:
     explicit Device(const GpDeviceDesc& desc = {}) : Device(gpNewDevice(&desc)) {}
     std::string name() const { return detail::checked(gpGetDeviceName(get()), get()); }
     void cancel() const noexcept { gpCancelRender(get()); }
+    void setTextureOverrides(const GpTextureOverrides& overrides) {
+        check(gpSetTextureOverrides(get(), &overrides));
+    }
+    void clearTextureOverrides() { check(gpSetTextureOverrides(get(), nullptr)); }
 
 private:
     explicit Device(GpDevice handle) : Owner(detail::checked(handle, nullptr), handle) {}
@@ -108,6 +112,7 @@ public:
     Texture(const Device& d, const std::string& path, const GpTextureDesc& desc = {})
         : Owner(detail::checked(gpNewTextureFromFile(d.get(), path.c_str(), &desc), d.get()),
                 d.get()) {}
+    void update(const GpTextureUpdate& update) { check(gpUpdateTexture(get(), &update)); }
 };
 
 class Material : public Owner<GpMaterial, gpReleaseMaterial> {
@@ -115,6 +120,16 @@ public:
     Material() = default;
     explicit Material(const Device& d, const GpMaterialDesc& desc = {})
         : Owner(detail::checked(gpNewMaterial(d.get(), &desc), d.get()), d.get()) {}
+    // An animated one, which shows one of `frames`.
+    static Material animated(const Device& d, const std::vector<GpMaterial>& frames) {
+        Material material;
+        static_cast<Owner&>(material) = Owner(
+            detail::checked(gpNewAnimatedMaterial(d.get(), frames.data(), uint32_t(frames.size())),
+                            d.get()),
+            d.get());
+        return material;
+    }
+    void setFrame(uint32_t frame) { check(gpSetMaterialFrame(get(), frame)); }
 };
 
 class Mesh : public Owner<GpMesh, gpReleaseMesh> {
@@ -123,6 +138,9 @@ public:
     Mesh(const Device& d, const GpMeshDesc& desc)
         : Owner(detail::checked(gpNewMesh(d.get(), &desc), d.get()), d.get()) {}
     void update(const GpMeshDesc& desc) { check(gpUpdateMesh(get(), &desc)); }
+    void updateTexCoords(uint32_t set, const float* uv, size_t stride = 0) {
+        check(gpUpdateTexCoords(get(), set, uv, stride));
+    }
 };
 
 class Scene : public Owner<GpScene, gpReleaseScene> {
@@ -132,6 +150,9 @@ public:
         : Owner(detail::checked(gpNewScene(d.get()), d.get()), d.get()) {}
     void load(const std::string& path, const GpLoadOptions& options = {}) {
         check(gpLoadSceneFile(get(), path.c_str(), &options));
+    }
+    void setTime(double time, const GpPlayOptions& options = {}) {
+        check(gpSetSceneTime(get(), time, &options));
     }
     void setEnvironment(const GpEnvironmentDesc& desc) { check(gpSetEnvironment(get(), &desc)); }
     void setEnvironment(const std::string& path, const GpEnvironmentDesc& desc = {}) {
@@ -174,6 +195,13 @@ public:
     void setTransform(const float* worldFromObject) {
         check(gpSetInstanceTransform(get(), worldFromObject));
     }
+    void setMaterial(const Material& material) {
+        check(gpSetInstanceMaterial(get(), material.get()));
+    }
+    void setColor(const float* rgba) { check(gpSetInstanceColor(get(), rgba)); }
+    void setVisibility(GpVisibility visibility, uint32_t invisibleTo = 0) {
+        check(gpSetInstanceVisibility(get(), visibility, invisibleTo));
+    }
     void remove() {
         check(gpRemoveInstance(get()));
         forget();
@@ -207,6 +235,7 @@ public:
                 const GpRenderOptions& options = {}) {
         check(gpRender(get(), scene.get(), &camera, &options));
     }
+    void draw(const GpDrawDesc& desc) { check(gpDraw(get(), &desc)); }  // by the next render()
     void tonemap(float exposureEv, GpTonemap curve = GP_TONEMAP_AGX) {
         check(gpTonemapFrame(get(), exposureEv, curve));
     }
@@ -235,6 +264,24 @@ private:
         return desc;
     }
     size_t pixels_ = 0;
+};
+
+// Vertices one by one; what mesh() and draw() fill in holds until the next call of another.
+class Immediate : public Owner<GpImmediate, gpReleaseImmediate> {
+public:
+    Immediate() = default;
+    explicit Immediate(const Device& d)
+        : Owner(detail::checked(gpNewImmediate(d.get()), d.get()), d.get()) {}
+    void begin(GpPrimitive primitive) { check(gpBegin(get(), primitive)); }
+    void end() { check(gpEnd(get())); }
+    void clear() { check(gpClearImmediate(get())); }
+    void shadeModel(GpShadeModel model) { check(gpShadeModel(get(), model)); }
+    void color(float r, float g, float b, float a = 1) { check(gpColor4f(get(), r, g, b, a)); }
+    void normal(float x, float y, float z) { check(gpNormal3f(get(), x, y, z)); }
+    void texCoord(float u, float v) { check(gpTexCoord2f(get(), u, v)); }
+    void vertex(float x, float y, float z = 0) { check(gpVertex3f(get(), x, y, z)); }
+    void mesh(GpMeshDesc& desc) const { check(gpGetImmediateMesh(get(), &desc)); }
+    void draw(GpDrawDesc& desc) const { check(gpGetImmediateDraw(get(), &desc)); }
 };
 
 // A reflectance model on its own; arrays as for gpEvaluateBsdf and gpSampleBsdf.

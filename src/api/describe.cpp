@@ -18,12 +18,16 @@ Json jsonOf(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
 Json jsonOf(const glm::vec4& v) { return Json::array({v.x, v.y, v.z, v.w}); }
 
 const char* nameOf(LightKind kind) {
-    constexpr const char* names[] = {"directional", "sphere", "spot", "rectangle"};
+    constexpr const char* names[] = {"directional", "sphere", "spot", "rectangle", "polygon"};
     return names[size_t(kind)];
 }
 const char* nameOf(MeshKind kind) {
     constexpr const char* names[] = {"static", "movable", "dynamic"};
     return names[size_t(kind)];
+}
+const char* nameOf(LayerBlend blend) {
+    constexpr const char* names[] = {"opaque", "alpha", "add", "shade"};
+    return names[size_t(blend)];
 }
 const char* nameOf(AlphaMode mode) {
     constexpr const char* names[] = {"opaque", "mask", "blend"};
@@ -67,6 +71,12 @@ Json jsonOf(const MaterialLayer& layer, Numbering<Texture>& textures) {
 }
 
 Json jsonOf(const Material& m, Numbering<Texture>& textures) {
+    if (!m.frames.empty()) {  // an animated one: what shows, and which of how many that is
+        Json j = jsonOf(m.shown(), textures);
+        j["frame"] = m.frame;
+        j["frames"] = m.frames.size();
+        return j;
+    }
     Json j = {{"name", m.name},
               {"baseColor", jsonOf(m.baseColor)},
               {"metallic", m.metallic},
@@ -75,6 +85,9 @@ Json jsonOf(const Material& m, Numbering<Texture>& textures) {
               {"alphaMode", nameOf(m.alphaMode)},
               {"ior", m.ior}};
     for (const MaterialLayer& layer : m.layers) j["layers"].push_back(jsonOf(layer, textures));
+    for (const TextureLayer& layer : m.textureLayers)
+        j["textureLayers"].push_back(
+            {{"color", jsonOf(layer.color)}, {"blend", nameOf(layer.blend)}});
     if (m.alphaMode == AlphaMode::mask) j["alphaCutoff"] = m.alphaCutoff;
     if (m.doubleSided) j["doubleSided"] = true;
     if (m.unlit) j["unlit"] = true;
@@ -132,6 +145,7 @@ Json jsonOf(const Instance& i, Numbering<Mesh>& meshes, Numbering<Material>& mat
     if (i.material) j["material"] = materials.of(i.material.get());
     j["worldFromObject"] = rows;
     j["visibility"] = i.visibility;
+    if (i.color != glm::vec4(1)) j["color"] = jsonOf(i.color);
     return j;
 }
 
@@ -140,7 +154,8 @@ Json jsonOf(const Light& l) {
               {"id", l.id},
               {"kind", nameOf(l.kind)},
               {"emission", jsonOf(l.emission)}};
-    if (l.kind != LightKind::directional) j["position"] = jsonOf(l.position);
+    const bool polygon = l.kind == LightKind::polygon;
+    if (l.kind != LightKind::directional && !polygon) j["position"] = jsonOf(l.position);
     if (l.kind == LightKind::directional || l.kind == LightKind::spot)
         j["direction"] = jsonOf(l.direction);
     if (l.kind == LightKind::directional) j["angularRadius"] = l.angularRadius;
@@ -152,8 +167,9 @@ Json jsonOf(const Light& l) {
     if (l.kind == LightKind::rectangle) {
         j["edgeU"] = jsonOf(l.edgeU);
         j["edgeV"] = jsonOf(l.edgeV);
-        j["twoSided"] = l.twoSided;
     }
+    for (const glm::vec3& corner : l.corners) j["corners"].push_back(jsonOf(corner));
+    if (polygon || l.kind == LightKind::rectangle) j["twoSided"] = l.twoSided;
     if (!l.visible) j["visible"] = false;
     return j;
 }

@@ -27,6 +27,9 @@ void forEachTexture(const Material& m, F&& visit) {
     visit("anisotropy", m.anisotropyTexture);
     visit("iridescence", m.iridescenceTexture);
     visit("iridescenceThickness", m.iridescenceThicknessTexture);
+    constexpr const char* layerNames[] = {"layer1", "layer2"};
+    for (size_t i = 0; i < m.textureLayers.size(); ++i)
+        visit(layerNames[i], m.textureLayers[i].texture);
 }
 
 }  // namespace gp::api

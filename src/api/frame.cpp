@@ -3,6 +3,7 @@
 
 #include "api/check.h"
 #include "api/frames.h"
+#include "frame/compose.h"
 
 namespace gp::api {
 
@@ -102,10 +103,11 @@ GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap) {
         const auto curve = gp::Tonemap(checkEnum(tonemap, 4, "tonemap"));
         checkRendered(f);
         gp::Backend& backend = *f.device->backend;
-        if (f.realtime)
+        if (f.realtime && f.images.drawn.empty())
             backend.tonemapRealtime(f.realtime->images().views(), ev, curve, f.images.display);
         else
             backend.tonemap(ev, curve, f.images);
+        gp::drawOverlay(backend, f.overlay, f.camera, f.images);
     });
 }
 

@@ -35,6 +35,7 @@ const char* handleTypeName(HandleType type) {
         case HandleType::light: return "light";
         case HandleType::frame: return "frame";
         case HandleType::bsdf: return "bsdf";
+        case HandleType::immediate: return "immediate";
     }
     return "object";
 }
@@ -115,7 +116,7 @@ const char* HandleTable::fault(HandleBits bits, HandleType type) const {
     std::shared_lock lock(mutex_);
     const uint32_t index = slotOf(bits);
     const bool known = typeOf(bits) >= uint32_t(HandleType::device) &&
-                       typeOf(bits) <= uint32_t(HandleType::bsdf) && index < slots_.size() &&
+                       typeOf(bits) <= uint32_t(HandleType::immediate) && index < slots_.size() &&
                        generationOf(bits) >= 1 && generationOf(bits) <= slots_[index].generation;
     if (!known) return "is not a handle";
     if (typeOf(bits) != uint32_t(type)) return "is a handle of another type";

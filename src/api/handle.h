@@ -14,7 +14,7 @@ struct DeviceObject;
 
 // From 1, so that the top four bits of a handle are never all zero, as those of real addresses are.
 enum class HandleType : uint32_t {
-    device = 1, texture, material, mesh, scene, instance, light, frame, bsdf
+    device = 1, texture, material, mesh, scene, instance, light, frame, bsdf, immediate
 };
 const char* handleTypeName(HandleType type);
 

@@ -38,6 +38,20 @@ glm::mat4x3 transformFrom(const float* rows, const char* field) {
     return m;
 }
 
+// A name stands for the bits of the rays that it hides the instance from.
+uint32_t visibilityFrom(const GpVisibility& name, uint32_t invisibleTo) {
+    constexpr uint32_t hidden[] = {0, visibleToBounce | visibleToShadow, visibleToCamera};
+    const uint32_t byName = hidden[checkEnum(name, 3, "visibility")];
+    if (invisibleTo & ~allVisibility)
+        fail(GP_ERROR_INVALID_ARGUMENT, "invisibleTo has unknown bits: {:#x}", invisibleTo);
+    return allVisibility & ~(byName | invisibleTo);
+}
+
+glm::vec4 colorFrom(const float* color) {
+    checkRange(color, 4, 0, 1, "color");
+    return {vec3From(color), color[3]};
+}
+
 std::shared_ptr<Instance> instanceFrom(SceneObject& scene, const GpInstanceDesc& desc) {
     auto instance = std::make_shared<Instance>();
     instance->id = desc.id;
@@ -47,9 +61,8 @@ std::shared_ptr<Instance> instanceFrom(SceneObject& scene, const GpInstanceDesc&
         instance->material = resolve(*scene.device, desc.material, "material")->material;
     if (!allZero(desc.worldFromObject, 12))
         instance->worldFromObject = transformFrom(desc.worldFromObject, "worldFromObject");
-    if (desc.invisibleTo & ~allVisibility)
-        fail(GP_ERROR_INVALID_ARGUMENT, "invisibleTo has unknown bits: {:#x}", desc.invisibleTo);
-    instance->visibility = allVisibility & ~desc.invisibleTo;
+    instance->visibility = visibilityFrom(desc.visibility, desc.invisibleTo);
+    if (!allZero(desc.color, 4)) instance->color = colorFrom(desc.color);
     if (desc.id != 0 && scene.instanceIds.contains(desc.id))
         fail(GP_ERROR_DUPLICATE_ID, "id {} belongs to another instance of the scene", desc.id);
     return instance;
@@ -98,6 +111,29 @@ GpError gpSetInstanceTransform(GpInstance instance, const float* worldFromObject
         if (object.instance->mesh->kind == gp::MeshKind::staticMesh)
             fail(GP_ERROR_INVALID_OPERATION, "the mesh is of kind GP_MESH_STATIC");
         object.instance->worldFromObject = transform;
+        ++object.scene->scene.revision;
+    });
+}
+
+GpError gpSetInstanceMaterial(GpInstance instance, GpMaterial material) {
+    return enter("gpSetInstanceMaterial", "instance", instance, [&](InstanceObject& object) {
+        object.instance->material =
+            material ? resolve(*object.device, material, "material")->material : nullptr;
+        ++object.scene->scene.revision;
+    });
+}
+
+GpError gpSetInstanceColor(GpInstance instance, const float* color) {
+    return enter("gpSetInstanceColor", "instance", instance, [&](InstanceObject& object) {
+        object.instance->color = color ? colorFrom(color) : glm::vec4(1);
+        ++object.scene->scene.revision;
+    });
+}
+
+GpError gpSetInstanceVisibility(GpInstance instance, GpVisibility visibility,
+                                uint32_t invisibleTo) {
+    return enter("gpSetInstanceVisibility", "instance", instance, [&](InstanceObject& object) {
+        object.instance->visibility = visibilityFrom(visibility, invisibleTo);
         ++object.scene->scene.revision;
     });
 }

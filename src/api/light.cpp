@@ -3,6 +3,7 @@
 
 #include "api/check.h"
 #include "api/scenes.h"
+#include "scene/polygon.h"
 
 namespace gp::api {
 
@@ -12,16 +13,19 @@ constexpr double pi = std::numbers::pi;
 constexpr double lumensPerWatt = 683;  // of the header's UNITS
 
 static_assert(GP_LIGHT_SPHERE == int(LightKind::sphere) && GP_LIGHT_SPOT == int(LightKind::spot) &&
-              GP_LIGHT_RECTANGLE == int(LightKind::rectangle));
+              GP_LIGHT_RECTANGLE == int(LightKind::rectangle) &&
+              GP_LIGHT_POLYGON == int(LightKind::polygon));
 
-// What one unit of power makes of this light: radiant intensity, or radiance of a rectangle.
-double perWatt(const Light& light) {
-    if (light.kind != LightKind::rectangle) return 1 / (4 * pi);
-    const double area = glm::length(glm::cross(glm::dvec3(light.edgeU), glm::dvec3(light.edgeV)));
+constexpr uint32_t cornerLimit = 1024;
+
+// What one unit of power makes of this light: radiant intensity, or radiance of a flat one.
+double perWatt(const Light& light, double area) {
+    if (area == 0) return 1 / (4 * pi);
     return 1 / (pi * area * (light.twoSided ? 2 : 1));
 }
 
-void readEmission(Light& light, const GpLightDesc& desc) {
+// area: of a flat light, else 0.
+void readEmission(Light& light, const GpLightDesc& desc, double area) {
     checkNotNegative(desc.color, 3, "color");
     checkNotNegative(desc.intensity, "intensity");
     const uint32_t unit = checkEnum(desc.unit, 4, "unit");
@@ -30,7 +34,7 @@ void readEmission(Light& light, const GpLightDesc& desc) {
         fail(GP_ERROR_INVALID_ARGUMENT, "unit is a power, which a directional light does not have");
     double scale = desc.intensity;
     if (unit == GP_UNIT_PHOTOMETRIC || unit == GP_UNIT_POWER_LM) scale /= lumensPerWatt;
-    if (power) scale *= perWatt(light);
+    if (power) scale *= perWatt(light, area);
     const glm::dvec3 color(allZero(desc.color, 3) ? glm::vec3(1) : vec3From(desc.color));
     light.emission = glm::vec3(color * scale);
     for (int i = 0; i < 3; ++i)
@@ -53,7 +57,7 @@ void readCone(Light& light, const GpLightDesc& desc) {
     light.cosOuter = std::max(0.0f, std::cos(outer));
 }
 
-void readEdges(Light& light, const GpLightDesc& desc) {
+double readEdges(Light& light, const GpLightDesc& desc) {
     checkFinite(desc.edgeU, 3, "edgeU");
     checkFinite(desc.edgeV, 3, "edgeV");
     light.edgeU = vec3From(desc.edgeU);
@@ -64,6 +68,27 @@ void readEdges(Light& light, const GpLightDesc& desc) {
         fail(GP_ERROR_OUT_OF_RANGE, "edgeU and edgeV span no area");
     if (!std::isfinite(float(area))) fail(GP_ERROR_OUT_OF_RANGE, "edgeU and edgeV are too long");
     light.twoSided = desc.twoSided != 0;
+    return area;
+}
+
+double readCorners(Light& light, const GpLightDesc& desc) {
+    if (desc.cornerCount < 3)
+        fail(GP_ERROR_INVALID_ARGUMENT, "cornerCount is {}, but a polygon has 3 or more",
+             desc.cornerCount);
+    if (desc.cornerCount > cornerLimit)
+        fail(GP_ERROR_TOO_LARGE, "cornerCount is {}, more than {}", desc.cornerCount, cornerLimit);
+    checkPointer(desc.corners, "corners");
+    checkFinite(desc.corners, size_t(desc.cornerCount) * 3, "corners");
+    std::vector<glm::vec3> corners;
+    for (uint32_t i = 0; i < desc.cornerCount; ++i)
+        corners.push_back(vec3From(desc.corners + size_t(i) * 3));
+    Polygon polygon;
+    if (const std::string why = makePolygon(corners, polygon); !why.empty())
+        fail(GP_ERROR_OUT_OF_RANGE, "{}", why);
+    light.corners = std::move(polygon.corners);
+    light.direction = polygon.normal;
+    light.twoSided = desc.twoSided != 0;
+    return polygon.area;
 }
 
 // Fields of other kinds of light do not count, and so are not looked at.
@@ -71,11 +96,11 @@ Light lightFrom(const GpLightDesc& desc) {
     Light light;
     light.id = desc.id;
     light.name = nameOr(desc.name);
-    light.kind = LightKind(checkEnum(desc.kind, 4, "kind"));
+    light.kind = LightKind(checkEnum(desc.kind, 5, "kind"));
     light.visible = !desc.invisible;
     const bool directional = light.kind == LightKind::directional;
     const bool round = light.kind == LightKind::sphere || light.kind == LightKind::spot;
-    if (!directional) {
+    if (!directional && light.kind != LightKind::polygon) {
         checkFinite(desc.position, 3, "position");
         light.position = vec3From(desc.position);
     }
@@ -89,8 +114,10 @@ Light lightFrom(const GpLightDesc& desc) {
         light.radius = desc.radius;
     }
     if (light.kind == LightKind::spot) readCone(light, desc);
-    if (light.kind == LightKind::rectangle) readEdges(light, desc);
-    readEmission(light, desc);
+    double area = 0;
+    if (light.kind == LightKind::rectangle) area = readEdges(light, desc);
+    if (light.kind == LightKind::polygon) area = readCorners(light, desc);
+    readEmission(light, desc, area);
     return light;
 }
 

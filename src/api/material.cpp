@@ -7,7 +7,10 @@ namespace gp::api {
 namespace {
 
 constexpr uint32_t layerLimit = 16;
+constexpr uint32_t textureLayerLimit = 2;
 
+static_assert(GP_LAYER_ALPHA == int(LayerBlend::alpha) && GP_LAYER_ADD == int(LayerBlend::add) &&
+              GP_LAYER_SHADE == int(LayerBlend::shade));
 static_assert(GP_ALPHA_MASK == int(AlphaMode::mask) && GP_ALPHA_BLEND == int(AlphaMode::blend));
 
 // Reads one descriptor; the defaults of fields that are not given stand in gp::Material.
@@ -26,6 +29,8 @@ public:
         readTransmission();
         readDirectional();
         readLayers();
+        readTextureLayers();
+        readCompanions();
         return std::move(material_);
     }
 
@@ -146,6 +151,45 @@ private:
     void thickness(float& target, float value, const char* field) {
         checkNotNegative(value, field);
         if (value != 0 || given(GP_GIVEN_IRIDESCENCE_THICKNESS)) target = value;
+    }
+
+    void readTextureLayers() {
+        const GpMaterialDesc& d = desc_;
+        if (d.textureLayerCount > textureLayerLimit)
+            fail(GP_ERROR_TOO_LARGE, "textureLayerCount is {}, more than {}", d.textureLayerCount,
+                 textureLayerLimit);
+        if (d.textureLayerCount > 0) checkPointer(d.textureLayers, "textureLayers");
+        for (uint32_t i = 0; i < d.textureLayerCount; ++i) {
+            const GpTextureLayer& source = d.textureLayers[i];
+            const std::string field = fmt::format("textureLayers[{}]", i);
+            TextureLayer layer;
+            texture(layer.texture, source.texture, (field + ".texture").c_str());
+            checkRange(source.color, 4, 0, 1, field + ".color");
+            if (!allZero(source.color, 4)) layer.color = {vec3From(source.color), source.color[3]};
+            layer.blend = LayerBlend(checkEnum(source.blend, 4, (field + ".blend").c_str()));
+            material_.textureLayers.push_back(std::move(layer));
+        }
+    }
+
+    // A map of gpSetTextureOverrides, where the descriptor has none of its own.
+    bool companion(TextureUse& target, const std::shared_ptr<const Texture>& map) const {
+        if (!map || target.texture) return false;
+        target = material_.baseColorTexture;
+        target.texture = map;
+        return true;
+    }
+
+    void readCompanions() {
+        if (!desc_.baseColorTexture.texture) return;
+        const auto base = resolve(device_, desc_.baseColorTexture.texture, "baseColorTexture");
+        companion(material_.normalTexture, base->normal);
+        if (companion(material_.emissionTexture, base->emission) &&
+            material_.emission == glm::vec3(0))
+            material_.emission = glm::vec3(1);
+        if (!material_.layers.empty()) return;  // models of the library have their own roughness
+        if (companion(material_.metallicRoughnessTexture, base->metallicRoughness) &&
+            material_.metallic == 0)
+            material_.metallic = 1;
     }
 
     // ------------------------------------------------------------ models of the library

@@ -1,66 +1,18 @@
-#include "api/check.h"
+#include "api/arrays.h"
 #include "api/scenes.h"
 
 namespace gp::api {
 
 namespace {
 
-constexpr uint32_t elementLimit = 1u << 28;  // of vertices and of indices
+constexpr uint32_t elementExponent = 28;  // at most 2^28 vertices, and as many indices
 
 static_assert(GP_MESH_STATIC == int(MeshKind::staticMesh) &&
               GP_MESH_MOVABLE == int(MeshKind::movable) &&
               GP_MESH_DYNAMIC == int(MeshKind::dynamic));
 
-// Copies `count` elements that stand `stride` bytes apart. Byte by byte: strides may leave floats
-// where a float must not stand.
-template <class T>
-std::vector<T> copyStrided(const void* source, uint32_t count, size_t stride, const char* field) {
-    std::vector<T> result;
-    if (!source) return result;
-    if (stride == 0) stride = sizeof(T);
-    if (stride < sizeof(T))
-        fail(GP_ERROR_OUT_OF_RANGE, "{} is {}, but an element has {} bytes", field, stride,
-             sizeof(T));
-    if (stride > size_t(PTRDIFF_MAX) / count)
-        fail(GP_ERROR_TOO_LARGE, "{} is {}, too large for {} vertices", field, stride, count);
-    result.resize(count);
-    const std::byte* bytes = static_cast<const std::byte*>(source);
-    if (stride == sizeof(T)) {
-        std::memcpy(result.data(), bytes, sizeof(T) * count);
-        return result;
-    }
-    for (size_t i = 0; i < count; ++i) std::memcpy(&result[i], bytes + i * stride, sizeof(T));
-    return result;
-}
-
-// Every component finite, or the message names the first vertex that is not.
-template <class T>
-void checkVertices(const std::vector<T>& values, const char* field) {
-    constexpr int components = T::length();
-    for (size_t i = 0; i < values.size(); ++i)
-        for (int c = 0; c < components; ++c)
-            if (!std::isfinite(values[i][c]))
-                fail(GP_ERROR_NOT_FINITE, "{}[{}][{}] is {}", field, i, c, values[i][c]);
-}
-
-void checkCounts(const GpMeshDesc& desc) {
-    if (desc.vertexCount == 0) fail(GP_ERROR_INVALID_ARGUMENT, "vertexCount is 0");
-    if (desc.vertexCount > elementLimit)
-        fail(GP_ERROR_TOO_LARGE, "vertexCount is {}, more than 2^28", desc.vertexCount);
-    if (desc.indexCount > elementLimit)
-        fail(GP_ERROR_TOO_LARGE, "indexCount is {}, more than 2^28", desc.indexCount);
-    checkPointer(desc.positions, "positions");
-    if (desc.indices && desc.indexCount == 0) fail(GP_ERROR_INVALID_ARGUMENT, "indexCount is 0");
-    if (!desc.indices && desc.indexCount != 0)
-        fail(GP_ERROR_INVALID_ARGUMENT, "indices is NULL, but indexCount is {}", desc.indexCount);
-    const uint32_t corners = desc.indices ? desc.indexCount : desc.vertexCount;
-    if (corners % 3 != 0)
-        fail(GP_ERROR_INVALID_ARGUMENT, "{} is {}, not a multiple of 3",
-             desc.indices ? "indexCount" : "vertexCount", corners);
-}
-
 MeshData dataFrom(const GpMeshDesc& desc) {
-    checkCounts(desc);
+    checkCounts(desc, elementExponent, elementExponent);
     const uint32_t count = desc.vertexCount;
     MeshData data;
     data.positions = copyStrided<glm::vec3>(desc.positions, count, desc.positionStride,
@@ -79,11 +31,7 @@ MeshData dataFrom(const GpMeshDesc& desc) {
     checkVertices(data.uv[0], "texCoords[0]");
     checkVertices(data.uv[1], "texCoords[1]");
     if (!data.colors.empty()) checkRange(&data.colors[0].x, data.colors.size() * 4, 0, 1, "colors");
-    if (desc.indices) data.indices.assign(desc.indices, desc.indices + desc.indexCount);
-    for (size_t i = 0; i < data.indices.size(); ++i)
-        if (data.indices[i] >= count)
-            fail(GP_ERROR_OUT_OF_RANGE, "indices[{}] is {}, but vertexCount is {}", i,
-                 data.indices[i], count);
+    data.indices = indicesFrom(desc);
     return data;
 }
 
@@ -91,6 +39,7 @@ MeshData dataFrom(const GpMeshDesc& desc) {
 // are generated wherever coordinates say which way they run.
 MeshOptions optionsFor(const Material& material, const MeshData& data) {
     MeshOptions options;
+    options.updatable = true;
     for (const TextureUse* use : {&material.anisotropyTexture, &material.normalTexture}) {
         if (!use->texture) continue;
         options.tangentUv = use->texCoord;
@@ -104,7 +53,7 @@ MeshOptions optionsFor(const Material& material, const MeshData& data) {
 
 void fill(Mesh& mesh, const GpMeshDesc& desc) {
     MeshData data = dataFrom(desc);
-    const MeshOptions options = optionsFor(*mesh.material, data);
+    const MeshOptions options = optionsFor(mesh.material->shown(), data);
     fillMesh(mesh, std::move(data), options);
 }
 
@@ -141,16 +90,20 @@ GpError gpUpdateMesh(GpMesh mesh, const GpMeshDesc* desc) {
         gp::Mesh fresh;
         fresh.material = target.material;
         fill(fresh, *desc);
-        const bool joined = target.triangles == fresh.triangles &&
-                            target.positions.size() == fresh.positions.size();
-        target.positions.swap(fresh.positions);
-        target.triangles.swap(fresh.triangles);
-        target.vertices.swap(fresh.vertices);
-        target.uv1.swap(fresh.uv1);
-        target.colors.swap(fresh.colors);
-        ++target.revision;
-        if (!joined) ++target.topologyRevision;
+        exchangeVertices(target, fresh);
         meshChanged(*object.device, target);
+    });
+}
+
+GpError gpUpdateTexCoords(GpMesh mesh, uint32_t set, const float* uv, size_t stride) {
+    return enter("gpUpdateTexCoords", "mesh", mesh, [&](MeshObject& object) {
+        if (set > 1) fail(GP_ERROR_OUT_OF_RANGE, "set is {}, but only 0 and 1 exist", set);
+        gp::Mesh& target = *object.mesh;
+        const auto given =
+            copyStrided<glm::vec2>(uv, uint32_t(target.givenCount), stride, "stride");
+        checkVertices(given, "uv");
+        gp::updateTexCoords(target, set, given);
+        texCoordsChanged(*object.device, target);
     });
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -13,9 +14,11 @@
 
 #include "api/handle.h"
 #include "backend/backend.h"
+#include "frame/draw.h"
 #include "frame/frame_images.h"
 #include "frame/realtime.h"
 #include "glitterpath/glitterpath.h"
+#include "io/gltf.h"
 #include "scene/bsdf_evaluate.h"
 #include "scene/bsdf_registry.h"
 #include "scene/scene.h"
@@ -23,6 +26,19 @@
 namespace gp::api {
 
 struct SceneObject;
+
+// gpSetTextureOverrides.
+struct TextureOverrides {
+    std::string folder;
+    std::string albedo, rme, normal;  // postfixes
+};
+
+// A file that plays on (gpSetSceneTime).
+struct PlayingFile {
+    std::shared_ptr<io::GltfPlayer> player;
+    size_t firstAnimation = 0;  // where its animations begin in Scene::animations
+    int animation = -1;         // what plays, as GltfOptions::animation
+};
 
 struct DeviceObject final : Object {
     std::unique_ptr<Backend> backend;
@@ -33,6 +49,7 @@ struct DeviceObject final : Object {
     void* errorUser = nullptr;
     std::atomic<bool>* cancel = nullptr;  // its slot of the cancel table (api/cancel.h)
     std::shared_ptr<const Material> defaultMaterial;
+    std::optional<TextureOverrides> overrides;       // for textures yet to be made
     std::vector<std::weak_ptr<SceneObject>> scenes;  // so that changed meshes reach them
 
     std::mutex mutex;                       // held by every call on the device
@@ -51,12 +68,16 @@ struct ChildObject : Object {
 
 struct TextureObject final : ChildObject {
     using ChildObject::ChildObject;
-    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<Texture> texture;
+    // Files of gpSetTextureOverrides: the one in its place, and the maps for materials beside it.
+    std::string replacedBy;
+    std::shared_ptr<const Texture> metallicRoughness, emission, normal;
 };
 
 struct MaterialObject final : ChildObject {
     using ChildObject::ChildObject;
     std::shared_ptr<const Material> material;
+    std::shared_ptr<Material> animated;  // the same, where its frame may be switched; else null
 };
 
 struct MeshObject final : ChildObject {
@@ -71,6 +92,7 @@ struct SceneObject final : ChildObject {
     std::unordered_set<uint64_t> instanceIds, lightIds;
     std::unordered_map<const Mesh*, uint32_t> dynamicUses;  // instances a dynamic mesh has here
     std::set<std::string> cameraNames;            // keeps the pointers given out where they are
+    std::vector<PlayingFile> playing;
 };
 
 struct InstanceObject final : ChildObject {
@@ -97,12 +119,33 @@ struct FrameObject final : ChildObject {
     std::weak_ptr<const SceneObject> scene;
     uint64_t sceneRevision = 0;
     Camera camera;
+    DrawList draws;                  // wait for the next render
+    uint64_t drawElements = 0;       // their vertices and indices
+    DrawList overlay;                // that the last render drew: gpTonemapFrame draws it again
 };
 
 struct BsdfObject final : ChildObject {
     using ChildObject::ChildObject;
     std::shared_ptr<const BsdfSettings> settings;
     std::unique_ptr<const PreparedBsdf> prepared;  // made by the first value or sample
+};
+
+struct ImmediateVertex {
+    glm::vec3 position{0}, normal{0, 0, 1};
+    glm::vec2 texCoord{0};
+    glm::vec4 color{1};
+};
+
+struct ImmediateObject final : ChildObject {
+    using ChildObject::ChildObject;
+    ImmediateVertex current;         // what the next vertex has
+    bool hasColors = false, hasNormals = false, hasTexCoords = false;  // ever set
+    GpShadeModel shadeModel = GP_SHADE_SMOOTH;
+    GpPrimitive primitive = GP_TRIANGLES;
+    bool open = false;               // between gpBegin and gpEnd
+    uint32_t firstVertex = 0;        // of the open primitive
+    std::vector<ImmediateVertex> vertices;
+    std::vector<uint32_t> indices;
 };
 
 template <class Handle> struct HandleTraits;
@@ -120,6 +163,7 @@ GP_HANDLE(GpInstance, InstanceObject, instance)
 GP_HANDLE(GpLight, LightObject, light)
 GP_HANDLE(GpFrame, FrameObject, frame)
 GP_HANDLE(GpBsdf, BsdfObject, bsdf)
+GP_HANDLE(GpImmediate, ImmediateObject, immediate)
 #undef GP_HANDLE
 
 }  // namespace gp::api

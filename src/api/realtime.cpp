@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "api/check.h"
 #include "api/scenes.h"
 #include "frame/realtime_read.h"
@@ -11,6 +14,12 @@
 namespace gp::api {
 
 namespace {
+
+static_assert(GP_DENOISER_SVGF == int(Denoiser::svgf) &&
+              GP_DENOISER_ATROUS == int(Denoiser::atrous) &&
+              GP_DENOISER_NONE == int(Denoiser::none));
+static_assert(GP_REUSE_UNBIASED == int(LightReuse::unbiased) &&
+              GP_AA_JITTER == int(AntiAliasing::jitter));
 
 constexpr uint32_t mirrorsAtMost = 16;
 
@@ -29,12 +38,71 @@ void checkOthers(const GpRenderOptions& o) {
 
 }  // namespace
 
+namespace {
+
+EyeAdaptation eyeFrom(const GpEyeAdaptation& e) {
+    constexpr double longest = 3600, widest = 100;
+    EyeAdaptation eye;
+    checkRange(e.seconds, 0, longest, "options.realtime.eyeAdaptation.seconds");
+    checkRange(e.evMin, -widest, widest, "options.realtime.eyeAdaptation.evMin");
+    checkRange(e.evMax, -widest, widest, "options.realtime.eyeAdaptation.evMax");
+    eye.seconds = e.seconds;
+    if (e.evMin == 0 && e.evMax == 0) return eye;
+    if (e.evMin > e.evMax)
+        fail(GP_ERROR_OUT_OF_RANGE, "options.realtime.eyeAdaptation.evMin is {}, above evMax, {}",
+             e.evMin, e.evMax);
+    eye.evMin = e.evMin, eye.evMax = e.evMax;
+    return eye;
+}
+
+DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
+    DenoiserParameters parameters;
+    if (o.parameterCount > 0) checkPointer(o.parameters, "options.realtime.parameters");
+    std::vector<std::string> names;
+    for (const DenoiserParameterInfo& info : denoiserParameters()) names.emplace_back(info.name);
+    for (uint32_t i = 0; i < o.parameterCount; ++i) {
+        const std::string field = fmt::format("options.realtime.parameters[{}]", i);
+        checkPointer(o.parameters[i].name, (field + ".name").c_str());
+        const auto found = std::find(names.begin(), names.end(), o.parameters[i].name);
+        if (found == names.end()) {
+            const std::string nearest = nearestWord(o.parameters[i].name, names);
+            fail(GP_ERROR_INVALID_ARGUMENT, "{}: no denoiser has a parameter \"{}\"{}", field,
+                 o.parameters[i].name,
+                 nearest.empty() ? "" : " (did you mean " + nearest + "?)");
+        }
+        const DenoiserParameterInfo& info =
+            denoiserParameters()[size_t(found - names.begin())];
+        checkRange(o.parameters[i].value, double(info.minimum), double(info.maximum),
+                   (field + ", " + info.name + ",").c_str());
+        parameters.*info.member = o.parameters[i].value;
+    }
+    return parameters;
+}
+
+}  // namespace
+
+bool isDefault(const GpRealtimeOptions& o) {
+    return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
+           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
+           o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
+}
+
 RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
     checkOthers(o);
     RealtimePlan plan;
     plan.resetHistory = o.realtime.resetHistory != 0;
     plan.antiAliasing =
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
+    plan.lightReuse =
+        LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.denoiser = Denoiser(checkEnum(o.realtime.denoiser, denoiserCount,
+                                       "options.realtime.denoiser"));
+    plan.parameters = parametersFrom(o.realtime);
+    constexpr double longestStep = 3600;
+    checkRange(o.realtime.timeStep, 0, longestStep, "options.realtime.timeStep");
+    if (o.realtime.timeStep > 0) plan.timeStep = o.realtime.timeStep;
+    plan.eye = eyeFrom(o.realtime.eyeAdaptation);
     const int32_t mirrors = o.realtime.mirrorLimit;
     if (mirrors < GP_NO_BOUNCES || mirrors > int32_t(mirrorsAtMost))
         fail(GP_ERROR_OUT_OF_RANGE, "options.realtime.mirrorLimit is {}, not in -1..{}", mirrors,
@@ -51,25 +119,28 @@ void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
     plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }
 
-void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan) {
+RealtimeResult renderRealtime(FrameObject& frame, SceneObject& scene,
+                              const RealtimePlan& plan) {
     std::atomic<bool>& cancel = *frame.device->cancel;
     const RealtimeResult result =
         frame.realtime->render(*frame.device->backend, *scene.backendScene, scene.scene, plan,
-                               frame.images.display, cancel);
+                               frame.images, cancel);
     GpFrameStatistics& s = frame.statistics;
     s.samplesPerPixel = 1;
     s.cameraRays = result.rays.camera;
     s.bounceRays = result.rays.bounce;
     s.shadowRays = result.rays.shadow;
     s.secondsRender = result.secondsRender;
+    s.exposureEv = result.exposureEv;
     s.accelerationBytes = scene.backendScene->accelerationBytes();
     frame.passes = result.passes;
     frame.rendered = !result.cancelled;
-    if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
+    return result;
 }
 
 void readImage(const FrameObject& frame, FrameImage which, void* pixels) {
-    if (!frame.realtime || which == FrameImage::display) {
+    const bool drawn = which == FrameImage::color && !frame.images.drawn.empty();
+    if (!frame.realtime || which == FrameImage::display || drawn) {
         readFrameImage(frame.images, which, pixels);
         return;
     }
@@ -82,7 +153,7 @@ namespace {
 
 RealtimeImage layerNamed(const char* name) {
     std::vector<std::string> names;
-    for (size_t i = 0; i < realtimeImageCount; ++i) {
+    for (size_t i = 0; i < realtimeLayerCount; ++i) {
         names.emplace_back(realtimeImageInfo(RealtimeImage(i)).name);
         if (names.back() == name) return RealtimeImage(i);
     }
@@ -130,14 +201,29 @@ GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** mean
     auto body = [&](Object*) {
         checkPointer(name, "name");
         checkPointer(meaning, "meaning");
-        if (index >= gp::realtimeImageCount)
+        if (index >= gp::realtimeLayerCount)
             fail(GP_ERROR_OUT_OF_RANGE, "index is {}, but there are {} layers", index,
-                 gp::realtimeImageCount);
+                 gp::realtimeLayerCount);
         const gp::RealtimeImageInfo& info = gp::realtimeImageInfo(gp::RealtimeImage(index));
         *name = info.name;
         *meaning = info.meaning;
     };
     return enterFree("gpGetFrameLayerInfo", BodyRef(body));
+}
+
+GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed) {
+    return enter("gpDescribeDenoisers", "device", device, [&](DeviceObject&) {
+        nlohmann::ordered_json all;
+        for (size_t i = 0; i < gp::denoiserCount; ++i)
+            all["denoisers"].push_back(gp::denoiserName(gp::Denoiser(i)));
+        for (const gp::DenoiserParameterInfo& p : gp::denoiserParameters())
+            all["parameters"].push_back({{"name", p.name},
+                                         {"default", p.initial},
+                                         {"minimum", p.minimum},
+                                         {"maximum", p.maximum},
+                                         {"meaning", p.text}});
+        giveText(all.dump(2), text, size, needed);
+    });
 }
 
 }  // extern "C"

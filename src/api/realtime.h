@@ -6,10 +6,11 @@
 
 namespace gp::api {
 
+bool isDefault(const GpRealtimeOptions& options);
 // The options that this mode has; throws ApiError for those that it has not.
 RealtimePlan realtimePlanFrom(const GpRenderOptions& options);
 // The size of rays from that of the picture, into plan.frame.
 void setSizes(RealtimePlan& plan, const GpRenderOptions& options, glm::uvec2 output);
-void renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan);
+RealtimeResult renderRealtime(FrameObject& frame, SceneObject& scene, const RealtimePlan& plan);
 
 }  // namespace gp::api

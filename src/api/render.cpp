@@ -62,10 +62,7 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
     const auto refuse = [](const char* field, const char* mode) {
         fail(GP_ERROR_INVALID_ARGUMENT, "options.{} is only for frames of {}", field, mode);
     };
-    const GpRealtimeOptions& r = o.realtime;
-    const bool realtime =
-        r.resetHistory || r.antiAliasing != 0 || r.renderScale != 0 || r.mirrorLimit != 0;
-    if (frame.mode != FrameMode::realtime && realtime)
+    if (frame.mode != FrameMode::realtime && !isDefault(o.realtime))
         refuse("realtime", "GP_MODE_REALTIME");
     if (frame.mode == FrameMode::local) {
         if (o.maxBounces != 0) refuse("maxBounces", "GP_MODE_REFERENCE or REALTIME");
@@ -171,7 +168,8 @@ double build(SceneObject& scene) {
     return secondsSince(start);
 }
 
-void note(FrameObject& frame, const SceneObject& scene, const RenderResult& result, double build) {
+void note(FrameObject& frame, const SceneObject& scene, const RenderResult& result, double build,
+          float exposureEv) {
     GpFrameStatistics& s = frame.statistics;
     s.samplesPerPixel = result.samplesPerPixel;
     s.cameraRays = result.rays.camera;
@@ -179,13 +177,27 @@ void note(FrameObject& frame, const SceneObject& scene, const RenderResult& resu
     s.shadowRays = result.rays.shadow;
     s.secondsBuild = build;
     s.secondsRender = result.secondsRender;
+    s.exposureEv = exposureEv;
     s.noise = result.noise;
     s.accelerationBytes = scene.backendScene->accelerationBytes();
+}
+
+// What was drawn is drawn; the overlay alone may be wanted again.
+void useUpDraws(FrameObject& frame) {
+    frame.overlay.clear();
+    for (DrawCommand& draw : frame.draws)
+        if (draw.target == DrawTarget::overlay) frame.overlay.push_back(std::move(draw));
+    frame.draws.clear();
+    frame.drawElements = 0;
+    frame.statistics.frameBytes =
+        frame.images.bytes() + (frame.realtime ? frame.realtime->images().bytes() : 0);
 }
 
 // An exception in the middle leaves some pixels with more samples than others: empties the frame.
 void discard(FrameObject& frame) noexcept {
     std::fill(frame.images.sums.begin(), frame.images.sums.end(), PixelSums{});
+    frame.images.drawn = {};
+    frame.overlay.clear();
     const uint64_t bytes = frame.statistics.frameBytes;
     frame.statistics = {};
     frame.statistics.noise = -1;
@@ -207,6 +219,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     plan.height = frame.images.height;
     plan.camera = chooseCamera(scene->scene, camera, frame.images);
     checkAccumulation(frame, *scene, plan);
+    plan.draws = &frame.draws;
 
     std::atomic<bool>& cancel = *frame.device->cancel;
     cancel.store(false);
@@ -217,7 +230,10 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         realtime.frame = plan;
         setSizes(realtime, options, {plan.width, plan.height});
         frame.statistics.secondsBuild = build(*scene);
-        renderRealtime(frame, *scene, realtime);
+        const RealtimeResult result = renderRealtime(frame, *scene, realtime);
+        frame.camera = plan.camera;
+        useUpDraws(frame);
+        if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
         return;
     }
     const double secondsBuild = build(*scene);
@@ -233,7 +249,8 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     frame.scene = scene;
     frame.sceneRevision = scene->scene.revision;
     frame.camera = plan.camera;
-    note(frame, *scene, result, secondsBuild);
+    useUpDraws(frame);
+    note(frame, *scene, result, secondsBuild, plan.exposureEv);
     if (result.cancelled)
         fail(GP_ERROR_CANCELLED, "stopped at {} samples a pixel", result.samplesPerPixel);
 }

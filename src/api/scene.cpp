@@ -27,13 +27,16 @@ namespace {
 
 io::GltfOptions loadOptions(const GpLoadOptions& options) {
     checkFinite(options.time, "options.time");
-    if (options.animation > INT_MAX)
+    const bool all = options.animation == GP_ALL_ANIMATIONS;
+    if (options.animation > INT_MAX && !all)
         fail(GP_ERROR_OUT_OF_RANGE, "options.animation is {}", options.animation);
     if (options.scene > INT_MAX) fail(GP_ERROR_OUT_OF_RANGE, "options.scene is {}", options.scene);
     io::GltfOptions result;
     result.time = options.time;
-    result.animation = int(options.animation) - 1;  // 0, the default, becomes -1
+    // 0, the default, becomes -1.
+    result.animation = all ? io::allAnimations : int(options.animation) - 1;
     result.scene = int(options.scene) - 1;
+    result.playable = options.playable != 0;
     return result;
 }
 
@@ -125,7 +128,11 @@ GpError gpLoadSceneFile(GpScene scene, const char* path, const GpLoadOptions* op
         const gp::io::GltfOptions gltf = loadOptions(options ? *options : GpLoadOptions{});
         // Into a copy (of pointers, mostly), so that no failure whatsoever leaves half a file.
         gp::Scene loaded = s.scene;
-        gp::io::loadGltf(path, gltf, loaded);
+        PlayingFile file;
+        file.firstAnimation = loaded.animations.size();
+        file.animation = gltf.animation;
+        file.player = gp::io::loadGltf(path, gltf, loaded);
+        if (file.player) s.playing.push_back(std::move(file));
         loaded.revision = s.scene.revision + 1;
         s.scene = std::move(loaded);
     });

@@ -13,6 +13,12 @@ void countUse(SceneObject& scene, const Mesh* mesh, int change);
 // The vertices of a dynamic mesh are new: every scene of the device that shows it has changed.
 void meshChanged(DeviceObject& device, const Mesh& mesh);
 
+// The same for what all kinds of things share: every scene of the device with such an instance has
+// changed. Costs a look at each instance.
+void texCoordsChanged(DeviceObject& device, const Mesh& mesh);
+void materialChanged(DeviceObject& device, const Material& material);
+void textureChanged(DeviceObject& device, const Texture& texture);
+
 // Takes back a step of a change that a later step could not finish, unless told to keep it.
 template <class F>
 class Undo {

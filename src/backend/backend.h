@@ -6,11 +6,14 @@
 #include <memory>
 #include <string>
 
+#include "frame/denoise.h"
+#include "frame/eye_adaptation.h"
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
+#include "scene/light_table.h"
 #include "scene/scene.h"
 
 namespace gp {
@@ -28,6 +31,8 @@ public:
     virtual void update(const Scene& scene) = 0;
     virtual uint64_t accelerationBytes() const = 0;
     virtual uint64_t emissiveTriangles() const = 0;
+    // The lights under the numbers that its passes use; the same until the next update.
+    virtual const LightTable& lights() const = 0;
 };
 
 // One real-time frame, as its passes see it.
@@ -56,11 +61,19 @@ public:
                                  const std::atomic<bool>& cancel) = 0;
     // One pass of a real-time frame, over the whole of its images.
     virtual RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) = 0;
+    // The same of a denoiser.
+    virtual void runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) = 0;
+    // How bright the output of a real-time frame is; a part of its pixels, evenly spread.
+    virtual LuminanceHistogram luminanceHistogram(const RealtimeViews& images) = 0;
     // The tone-mapping pass of a real-time frame: `display` from its output.
     virtual void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                                  std::vector<glm::u8vec4>& display) = 0;
-    // The tone-mapping pass: images.display from images.sums.
+    // The tone-mapping pass: images.display from images.drawn, or images.sums where that is
+    // empty.
     virtual void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) = 0;
+    // Rasterised geometry into color or display, in this order; the same bits on any number of
+    // threads.
+    virtual void rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) = 0;
 };
 
 struct BackendOptions {

@@ -62,6 +62,8 @@ void readFrameImage(const FrameImages& images, FrameImage which, void* pixels) {
     } else if (which == FrameImage::depth) {
         auto* out = static_cast<float*>(pixels);
         for (size_t i = 0; i < n; ++i) out[i] = resolve(images.sums[i], which).x;
+    } else if (which == FrameImage::color && !images.drawn.empty()) {
+        std::memcpy(pixels, images.drawn.data(), n * sizeof(glm::vec4));
     } else {
         auto* out = static_cast<glm::vec4*>(pixels);
         for (size_t i = 0; i < n; ++i) out[i] = resolve(images.sums[i], which);

@@ -48,7 +48,12 @@ struct FrameImages {
     uint32_t width = 0, height = 0;
     std::vector<PixelSums> sums;      // width * height
     std::vector<glm::u8vec4> display; // written by the tone-mapping pass
+    std::vector<glm::vec4> drawn;     // color with what was rasterised into it; empty: nothing was
     size_t pixelCount() const { return size_t(width) * height; }
+    uint64_t bytes() const {
+        return sums.size() * sizeof sums[0] + display.size() * sizeof display[0] +
+               drawn.size() * sizeof drawn[0];
+    }
 };
 
 // Resolves an image into `pixels`, which has room for pixelCount() * bytesPerPixel.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "frame/draw.h"
 #include "scene/camera.h"
 
 namespace gp {
@@ -46,6 +47,7 @@ struct FramePlan {
     float exposureEv = 0;
     Tonemap tonemap = Tonemap::agx;
     bool accumulate = false;
+    const DrawList* draws = nullptr;  // rasterised into the picture; null: none
 
     // The share of what the environment, directional and local lights send that arrives, on average
     // over the picture: set before the first sample, by Backend::estimateLightVisibility.

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "frame/compose.h"
+#include "frame/realtime_read.h"
+
 namespace gp {
 namespace {
 
@@ -40,10 +43,14 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.frame_index = index_;
     c.has_previous = hasPrevious;
     c.mirror_limit = plan.mirrorLimit;
-    c.repeats_draws = 0;
+    c.repeats_draws = usesGradients(plan.denoiser) && hasPrevious;
+    c.relights = images_.filtered;
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
+    c.light_reuse = uint32_t(plan.lightReuse);
+    c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
+    c.time_seconds = plan.timeStep;
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
-#define X(name, initial, minimum, maximum, text) c.name = initial;
+#define X(name, initial, minimum, maximum, text) c.name = plan.parameters.name;
 #include "shared/denoiser_parameters.def"
 #undef X
     return c;
@@ -61,8 +68,7 @@ void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
 // The frame from top to bottom.
 RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backendScene,
                                      const Scene& scene, const RealtimePlan& plan,
-                                     std::vector<glm::u8vec4>& display,
-                                     std::atomic<bool>& cancel) {
+                                     FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
     resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
@@ -74,10 +80,11 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         motion_.forget();
         lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
     }
-    motion_.compare(scene);
+    motion_.compare(scene, backendScene.lights());
     previousJitter_ = jitter_;
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
+    images_.filtered = plan.denoiser != Denoiser::none;
 
     const shared::RealtimeConstants c = constants(plan, hasPrevious);
     FramePlan frame = plan.frame;
@@ -92,20 +99,47 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         result.rays.shadow += rays.shadow;
         result.passes.push_back({passNames[size_t(pass)], millisecondsSince(passStart)});
     };
+    const auto filter = [&](const DenoisePass& pass) {
+        if (cancel.load()) return;
+        const auto passStart = Clock::now();
+        backend.runDenoisePass(job, pass);
+        const double time = millisecondsSince(passStart);
+        for (PassTime& earlier : result.passes)
+            if (earlier.name == pass.name) {
+                earlier.milliseconds += time;
+                return;
+            }
+        result.passes.push_back({pass.name, time});
+    };
 
-    run(RealtimePass::primary);                                     // what each pixel shows
-    if (c.repeats_draws != 0) run(RealtimePass::gradient_reproject); // what repeats the last frame
-    run(RealtimePass::lighting);                                    // three noisy channels
-    run(RealtimePass::composite);                                   // together again
-    run(RealtimePass::resolve);                                     // smooth edges, output size
+    run(RealtimePass::primary);       // what each pixel shows
+    if (c.repeats_draws != 0)
+        run(RealtimePass::gradient_reproject);  // pixels that will tell what has changed
+    run(RealtimePass::lighting);      // three noisy channels
+    for (const DenoisePass& pass : denoisePasses(plan.denoiser)) filter(pass);  // less noisy ones
+    run(RealtimePass::composite);     // together again
+    run(RealtimePass::resolve);       // smooth edges, output size
 
     const auto displayStart = Clock::now();
-    backend.tonemapRealtime(images_.views(), frame.exposureEv, frame.tonemap, display);
+    result.exposureEv = frame.exposureEv;
+    if (plan.eye.seconds > 0)
+        result.exposureEv += eye_.see(backend.luminanceHistogram(images_.views()), plan.eye,
+                                      plan.timeStep);
+    // What is drawn is no part of what the next frame goes on from.
+    finishPicture(backend, frame, result.exposureEv,
+                  {[&](FrameImage which, void* pixels) {
+                       readRealtimeImage(images_, which, pixels);
+                   },
+                   [&](float ev) {
+                       backend.tonemapRealtime(images_.views(), ev, frame.tonemap,
+                                               picture.display);
+                   }},
+                  picture);
     result.passes.push_back({"display", millisecondsSince(displayStart)});
 
     result.cancelled = cancel.load();
     if (!result.cancelled) {
-        motion_.remember(scene);
+        motion_.remember(scene, backendScene.lights());
         previousCamera_ = frame.camera;
         ++index_;
     }

@@ -22,6 +22,7 @@ struct RealtimeResult {
     RayCounts rays;
     std::vector<PassTime> passes;
     double secondsRender = 0;
+    float exposureEv = 0;  // that the picture was tone mapped with
     bool cancelled = false;
 };
 
@@ -31,12 +32,12 @@ public:
     // Does nothing where the sizes are as they were; else history is forgotten.
     void resize(glm::ivec2 full, glm::ivec2 output);
     // The next frame knows nothing of the ones before.
-    void cut() { previousCamera_.reset(); }
+    void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }
 
-    // One frame, into images() and `display`. When cancelled or failing, history is forgotten.
+    // One frame, into images() and `picture`. When cancelled or failing, history is forgotten.
     RealtimeResult render(Backend& backend, const BackendScene& backendScene, const Scene& scene,
-                          const RealtimePlan& plan, std::vector<glm::u8vec4>& display,
+                          const RealtimePlan& plan, FrameImages& picture,
                           std::atomic<bool>& cancel);
 
 private:
@@ -48,6 +49,7 @@ private:
     std::array<float, 3> lightVisibility_{1, 1, 1};
     glm::vec2 jitter_{0}, previousJitter_{0};
     uint32_t index_ = 0;
+    Eye eye_;
 };
 
 }  // namespace gp

@@ -12,6 +12,20 @@ constexpr RealtimeImageInfo infos[] = {
 #undef X
 };
 
+// Images that the denoisers need for a moment, in memory that nothing else needs then: the colour
+// is composed when they are done, and what the last frame hit matters only before this one is lit.
+// Not any image that the temporal pass reads: it writes both of these.
+struct Loan {
+    RealtimeImage image, owner;
+    bool previous;
+};
+static_assert(infos[realtimeLayerCount - 1].copies > 0 && infos[realtimeLayerCount].copies == 0,
+              "images without memory of their own come last");
+constexpr Loan loans[] = {
+    {RealtimeImage::direct_other, RealtimeImage::color, false},
+    {RealtimeImage::specular_other, RealtimeImage::hit, true},
+};
+
 size_t pixels(glm::ivec2 size) { return size_t(size.x) * size_t(size.y); }
 
 }  // namespace
@@ -37,6 +51,7 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
     views.size[size_t(RealtimeSize::OUTPUT)] = output;
     std::array<std::vector<std::byte>, realtimeImageCount> current, previous;
     for (size_t i = 0; i < realtimeImageCount; ++i) {
+        if (infos[i].copies == 0) continue;
         const size_t bytes = pixels(views.size[size_t(infos[i].size)]) *
                              gp::bytesPerPixel(infos[i].format);
         current[i].resize(bytes);
@@ -47,6 +62,13 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
     }
     current_.swap(current), previous_.swap(previous);
     views_ = views;
+    lend();
+}
+
+void RealtimeImages::lend() {
+    for (const Loan& loan : loans)
+        views_.current[size_t(loan.image)] =
+            (loan.previous ? views_.previous : views_.current)[size_t(loan.owner)];
 }
 
 void RealtimeImages::swap() {
@@ -55,6 +77,7 @@ void RealtimeImages::swap() {
         current_[i].swap(previous_[i]);
         std::swap(views_.current[i], views_.previous[i]);
     }
+    lend();
 }
 
 uint64_t RealtimeImages::bytes() const {

@@ -11,7 +11,7 @@
 
 namespace gp {
 
-enum class RealtimeFormat : uint8_t { FLOAT1, HALF2, HALF4, UNORM4, UINT1, UINT2 };
+enum class RealtimeFormat : uint8_t { FLOAT1, HALF2, HALF4, POSITIVE3, UNORM4, UINT1, UINT2 };
 enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT };
 
 enum class RealtimeImage : uint32_t {
@@ -21,6 +21,12 @@ enum class RealtimeImage : uint32_t {
     count
 };
 constexpr size_t realtimeImageCount = size_t(RealtimeImage::count);
+// Those with memory of their own, which come first: what can be looked at.
+constexpr size_t realtimeLayerCount = 0
+#define X(name, format, size, copies, meaning) + (copies > 0 ? 1 : 0)
+#include "shared/realtime_images.def"
+#undef X
+    ;
 
 struct RealtimeImageInfo {
     const char* name;
@@ -51,7 +57,11 @@ public:
     // Of all images together where output and full are of one size, rounded up.
     static size_t bytesPerPixel();
 
+    bool filtered = false;  // a denoiser has run over the light
+
 private:
+    void lend();
+
     std::array<std::vector<std::byte>, realtimeImageCount> current_, previous_;
     RealtimeViews views_{};
 };

@@ -23,7 +23,12 @@ using namespace gp::shared;
 #include "backend/cpu/isa/image_access.h"
 
 struct Reader : ImageAccess {
-    using ImageAccess::ImageAccess;
+    RealtimeConstants constants{};
+
+    explicit Reader(const RealtimeImages& all) : ImageAccess(all.views()) {
+        constants.relights = all.filtered;
+    }
+    const RealtimeConstants& load_realtime() const { return constants; }
 #include "kernels/realtime/composite.glsl"
 #include "kernels/realtime/gbuffer.glsl"
 
@@ -45,6 +50,8 @@ struct Reader : ImageAccess {
     }
     vec4 shown(RealtimeImage which, uvec2 v) {
         if (which == RealtimeImage::normal) return vec4(octahedral_decode(v.x), 1);
+        if (which == RealtimeImage::indirect_guide)
+            return vec4(octahedral_decode(v.y), std::bit_cast<float>(v.x));
         return vec4(float(v.x), float(v.y), 0, 1);
     }
 
@@ -60,7 +67,6 @@ struct Reader : ImageAccess {
 
     vec4 image(FrameImage which, ivec2 p) {
         const vec4 albedo = load_albedo(p), specular = load_specular_albedo(p);
-        const vec4 light = load_indirect(p);
         switch (which) {
             case FrameImage::albedo: return vec4(vec3(albedo) + vec3(specular), 1);
             case FrameImage::normal:
@@ -71,8 +77,7 @@ struct Reader : ImageAccess {
                 return vec4(vec3(albedo) * vec3(load_direct(p)) +
                                 vec3(specular) * vec3(load_specular(p)), 1);
             case FrameImage::indirect:
-                return vec4(vec3(albedo) *
-                                indirect_color(light.x, light, load_indirect_chroma(p)), 1);
+                return vec4(vec3(albedo) * composite_indirect(p), 1);
             case FrameImage::roughness: {
                 const PixelMaterial m = unpack_material(load_material(p));
                 return vec4(m.roughness, m.metallic, 0, 1);
@@ -98,7 +103,7 @@ void eachPixel(const RealtimeImages& images, RealtimeSize which, T* out, const F
 }  // namespace
 
 void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::vec4* pixels) {
-    Reader reader(images.views());
+    Reader reader(images);
     const RealtimeSize size = realtimeImageInfo(which).size;
     if (size == RealtimeSize::THIRD)  // its last blocks reach over the border
         eachPixel(images, RealtimeSize::FULL, pixels,
@@ -108,7 +113,7 @@ void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::v
 }
 
 void readRealtimeImage(const RealtimeImages& images, FrameImage which, void* pixels) {
-    Reader reader(images.views());
+    Reader reader(images);
     const RealtimeSize full = RealtimeSize::FULL;
     if (which == FrameImage::color) {
         eachPixel(images, RealtimeSize::OUTPUT, static_cast<vec4*>(pixels),

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <limits>
 
+#include "frame/compose.h"
+
 namespace gp {
 namespace {
 
@@ -54,7 +56,8 @@ public:
         result_.secondsRender = secondsSince(start_);
         result_.samplesPerPixel = samplesOfAll();
         result_.noise = estimateNoise(images_);
-        backend_.tonemap(plan_.exposureEv, plan_.tonemap, images_);
+        finishPicture(backend_, plan_, plan_.exposureEv, tracedPicture(backend_, plan_, images_),
+                      images_);
         return result_;
     }
 

@@ -18,7 +18,7 @@ const glm::vec3* SceneMotion::positionsOf(const Snapshot& past, const Mesh& mesh
     return same ? past.mesh->positions.data() : nullptr;
 }
 
-void SceneMotion::compare(const Scene& scene) {
+void SceneMotion::compare(const Scene& scene, const LightTable& lights) {
     instances_.assign(scene.instances.size(), {});
     positions_.assign(scene.instances.size(), nullptr);
     currentOfPrevious_.assign(past_.size(), NO_INDEX);
@@ -44,9 +44,63 @@ void SceneMotion::compare(const Scene& scene) {
         positions_[i] = positions;
         currentOfPrevious_[index] = i;
     }
+    compareLights(scene, lights);
 }
 
-void SceneMotion::remember(const Scene& scene) {
+void SceneMotion::compareLights(const Scene& scene, const LightTable& lights) {
+    currentLight_.assign(pastLights_.size(), NO_INDEX);
+    // Most frames change nothing of this.
+    if (scene.revision == pastRevision_ && pastLights_.size() == lights.lights.size()) {
+        for (uint32_t i = 0; i < currentLight_.size(); ++i) currentLight_[i] = i;
+        return;
+    }
+    std::unordered_map<uint64_t, uint32_t> byId;
+    std::unordered_map<const Light*, uint32_t> byObject;
+    for (uint32_t i = 0; i < lights.sources.size(); ++i) {
+        const Light& light = *lights.sources[i];
+        if (light.id != 0) byId.try_emplace(light.id, i);  // of a polygon its first triangle
+        else byObject.try_emplace(&light, i);
+    }
+    const auto partOf = [&](uint32_t first, uint32_t part) {
+        const size_t i = size_t(first) + part;
+        const bool there = i < lights.sources.size() && lights.sources[i] == lights.sources[first];
+        return there ? uint32_t(i) : NO_INDEX;
+    };
+    for (size_t i = 0; i < pastLights_.size(); ++i) {
+        const PastLight& past = pastLights_[i];
+        if (past.light && past.id != 0) {
+            if (const auto found = byId.find(past.id); found != byId.end())
+                currentLight_[i] = partOf(found->second, past.primitive);
+        } else if (past.light) {
+            if (const auto found = byObject.find(past.light.get()); found != byObject.end())
+                currentLight_[i] = partOf(found->second, past.primitive);
+        } else if (const uint32_t instance = currentOfPrevious_[past.instance];
+                   instance != NO_INDEX && lights.lightMap[instance] != NO_INDEX) {
+            currentLight_[i] = lights.lightOfTriangle[lights.lightMap[instance] + past.primitive];
+        }
+    }
+}
+
+void SceneMotion::rememberLights(const Scene& scene, const LightTable& lights) {
+    if (scene.revision == pastRevision_ && pastLights_.size() == lights.lights.size()) return;
+    pastRevision_ = scene.revision;
+    std::unordered_map<const Light*, std::shared_ptr<const Light>> owners;
+    for (const auto& light : scene.lights) owners[light.get()] = light;
+    pastLights_.assign(lights.lights.size(), {});
+    for (size_t i = 0; i < pastLights_.size(); ++i) {
+        PastLight& past = pastLights_[i];
+        if (i < lights.sources.size()) {
+            past.light = owners.at(lights.sources[i]);
+            past.id = past.light->id;
+        } else {
+            past.instance = lights.lights[i].instance;
+        }
+        past.primitive = lights.lights[i].primitive;
+    }
+}
+
+void SceneMotion::remember(const Scene& scene, const LightTable& lights) {
+    rememberLights(scene, lights);
     past_.clear(), byId_.clear(), byObject_.clear();
     past_.reserve(scene.instances.size());
     for (auto& [mesh, vertices] : vertices_) vertices.used = false;
@@ -68,7 +122,7 @@ void SceneMotion::remember(const Scene& scene) {
 }
 
 void SceneMotion::forget() {
-    past_.clear(), byId_.clear(), byObject_.clear(), vertices_.clear();
+    past_.clear(), byId_.clear(), byObject_.clear(), vertices_.clear(), pastLights_.clear();
 }
 
 }  // namespace gp

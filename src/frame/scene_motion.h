@@ -1,11 +1,12 @@
-// What of a scene was where in the last frame: instances matched by their ids, those without one
-// by being the same object, in whatever order they come.
+// What of a scene was where in the last frame: instances and lights matched by their ids, those
+// without one by being the same object, in whatever order they come.
 #pragma once
 
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
+#include "scene/light_table.h"
 #include "scene/scene.h"
 #include "shared/realtime_structs.h"
 #include "shared/scene_structs.h"
@@ -15,9 +16,9 @@ namespace gp {
 class SceneMotion {
 public:
     // Fills the tables below: `scene` against what remember() was given.
-    void compare(const Scene& scene);
+    void compare(const Scene& scene, const LightTable& lights);
     // Keeps what the next frame will ask about; copies the vertices of dynamic meshes.
-    void remember(const Scene& scene);
+    void remember(const Scene& scene, const LightTable& lights);
     void forget();
 
     const std::vector<shared::PreviousInstance>& instances() const { return instances_; }
@@ -26,7 +27,18 @@ public:
     // From an index of the last frame to one of this frame, or NO_INDEX.
     const std::vector<uint32_t>& currentOfPrevious() const { return currentOfPrevious_; }
 
+    // The same for the numbers of lights; emissive triangles go with their instances.
+    const std::vector<uint32_t>& currentLightOfPrevious() const { return currentLight_; }
+
 private:
+    struct PastLight {
+        std::shared_ptr<const Light> light;        // null: a triangle
+        uint64_t id = 0;
+        uint32_t instance = 0, primitive = 0;      // of a polygon: which of its triangles
+    };
+    void compareLights(const Scene& scene, const LightTable& lights);
+    void rememberLights(const Scene& scene, const LightTable& lights);
+
     struct Snapshot {
         std::shared_ptr<const Instance> instance;  // kept, so that its address stays its own
         std::shared_ptr<const Mesh> mesh;
@@ -46,9 +58,12 @@ private:
     std::unordered_map<const Instance*, uint32_t> byObject_;
     std::unordered_map<const Mesh*, Vertices> vertices_;  // of dynamic meshes
 
+    std::vector<PastLight> pastLights_;
+    uint64_t pastRevision_ = 0;
+
     std::vector<shared::PreviousInstance> instances_;
     std::vector<const glm::vec3*> positions_;
-    std::vector<uint32_t> currentOfPrevious_;
+    std::vector<uint32_t> currentOfPrevious_, currentLight_;
 };
 
 }  // namespace gp

@@ -7,10 +7,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "io/gltf_animation.h"
 #include "io/gltf_light.h"
-#include "io/gltf_material.h"
-#include "io/gltf_mesh.h"
+#include "io/gltf_player.h"
 #include "scene/hash.h"
 
 namespace gp::io {
@@ -40,19 +38,29 @@ public:
     Loader(const std::string& path, const GltfOptions& options, const Scene& target)
         : m_options(options), m_document(path), m_accessors(m_document),
           m_materials(m_document, options.maxImagePixels), m_seed(seedOf(path, target)),
-          m_meshes(m_document, m_accessors, m_materials, m_seed) {}
+          m_meshes(m_document, m_accessors, m_materials, m_seed, options.playable),
+          m_firstCamera(target.cameras.size()) {}
 
     Scene load() {
         m_nodes = readNodes(m_document);
         m_scene.animations = listAnimations(m_document, m_nodes);
+        identifyNodes(m_nodes, m_seed);
+        if (m_options.playable) m_parts.restNodes = m_nodes;
         animate();
-        placeNodes(m_document, m_nodes, m_seed);
+        placeNodes(m_document.path(), parentsFirst(m_nodes), m_nodes);
         for (const uint32_t i : nodesOfScene(m_document, m_nodes, m_options.scene)) addNode(i);
         m_materials.loadTextures();
         refuseHugeBounds();
         m_scene.sources.push_back(m_document.path());
         m_scene.warnings = m_document.takeWarnings();
         return std::move(m_scene);
+    }
+
+    // After load(), where the options asked for it.
+    std::shared_ptr<GltfPlayer> player() {
+        m_parts.path = m_document.path();
+        m_parts.deformables = m_meshes.takeDeformables();
+        return std::make_shared<GltfPlayer>(std::move(m_parts));
     }
 
 private:
@@ -68,26 +76,38 @@ private:
 
     void animate() {
         const size_t count = m_scene.animations.size();
-        if (m_options.animation >= 0 && size_t(m_options.animation) >= count)
-            m_document.root().fail("there is no animation " + std::to_string(m_options.animation) +
-                                   "; the file has " + std::to_string(count));
-        if (count > 0)
-            applyAnimation(m_document, m_accessors,
-                           static_cast<uint32_t>(std::max(m_options.animation, 0)), m_options.time,
-                           m_nodes);
+        requireAnimation(m_document.path(), m_options.animation, count);
+        for (uint32_t i = 0; i < count; ++i) {
+            const bool plays = m_options.animation == allAnimations ||
+                               i == static_cast<uint32_t>(std::max(m_options.animation, 0));
+            if (!plays && !m_options.playable) continue;
+            Animation a = readAnimation(m_document, m_accessors, i, m_nodes);
+            if (plays) poseNodes(a, m_options.time, m_nodes);
+            if (m_options.playable) m_parts.animations.push_back(std::move(a));
+        }
     }
 
     void addNode(uint32_t i) {
         const Node& node = m_nodes[i];
-        if (node.camera) m_scene.cameras.push_back(readCamera(m_document, node));
-        if (node.light) m_scene.lights.push_back(readLight(m_document, node));
+        if (node.camera) {
+            if (node.moves) m_parts.cameras.emplace_back(i, m_firstCamera + m_scene.cameras.size());
+            m_scene.cameras.push_back(readCamera(m_document, node));
+        }
+        if (node.light) {
+            m_scene.lights.push_back(readLight(m_document, node));
+            if (node.moves) m_parts.lights.emplace_back(i, m_scene.lights.back());
+        }
         if (!node.mesh) return;
         const std::vector<Meshes::Shown> shown = m_meshes.show(i, m_nodes);
         // A skin places its vertices in the world by itself. (glTF 2.0, 3.7.3.3)
         const glm::mat4 world = node.skin ? glm::mat4(1) : node.worldFromNode;
         const std::vector<glm::mat4> copies = copiesOf(i);
         for (const Meshes::Shown& s : shown)
-            for (size_t c = 0; c < copies.size(); ++c) addInstance(i, s, world * copies[c], c);
+            for (size_t c = 0; c < copies.size(); ++c) {
+                addInstance(i, s, world * copies[c], c);
+                if (m_options.playable && node.moves && !node.skin)
+                    m_parts.instances.push_back({i, copies[c], m_scene.instances.back()});
+            }
     }
 
     // EXT_mesh_gpu_instancing: where the copies stand, seen from the node.
@@ -139,8 +159,10 @@ private:
     Materials m_materials;
     uint64_t m_seed;
     Meshes m_meshes;
+    size_t m_firstCamera;  // that of the file, among those of the scene
     std::vector<Node> m_nodes;
     Scene m_scene;
+    GltfPlayer::Parts m_parts;
 };
 
 template <typename T>
@@ -150,8 +172,11 @@ void append(std::vector<T>& to, std::vector<T>&& from) {
 
 }  // namespace
 
-void loadGltf(const std::string& path, const GltfOptions& options, Scene& scene) {
-    Scene loaded = Loader(path, options, scene).load();
+std::shared_ptr<GltfPlayer> loadGltf(const std::string& path, const GltfOptions& options,
+                                     Scene& scene) {
+    Loader loader(path, options, scene);
+    Scene loaded = loader.load();
+    std::shared_ptr<GltfPlayer> player = options.playable ? loader.player() : nullptr;
     scene.instances.reserve(scene.instances.size() + loaded.instances.size());
     scene.lights.reserve(scene.lights.size() + loaded.lights.size());
     append(scene.instances, std::move(loaded.instances));
@@ -161,6 +186,7 @@ void loadGltf(const std::string& path, const GltfOptions& options, Scene& scene)
     append(scene.animations, std::move(loaded.animations));
     append(scene.warnings, std::move(loaded.warnings));
     ++scene.revision;
+    return player;
 }
 
 }  // namespace gp::io

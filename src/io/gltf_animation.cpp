@@ -7,22 +7,6 @@ namespace gp::io {
 
 namespace {
 
-enum class Interpolation { step, linear, cubicSpline };
-
-// The keys of one channel as plain numbers: `width` floats a value.
-struct Track {
-    std::vector<float> times;
-    std::vector<float> values;  // cubic: in-tangent, value, out-tangent for each key
-    size_t width = 0;
-    Interpolation interpolation = Interpolation::linear;
-
-    size_t perKey() const { return interpolation == Interpolation::cubicSpline ? 3 : 1; }
-    // part: 0 in-tangent, 1 value, 2 out-tangent
-    const float* at(size_t key, size_t part) const {
-        return values.data() + (key * perKey() + (perKey() == 3 ? part : 0)) * width;
-    }
-};
-
 // Where `time` falls: after key `k`, at fraction `s` of `duration` seconds to the next one.
 struct Moment {
     size_t k = 0;
@@ -79,27 +63,28 @@ Interpolation interpolationOf(const Value& sampler) {
     sampler.fail("unknown interpolation '" + name.substr(0, 20) + "'");
 }
 
-// The output of a sampler as floats; `type` says how wide one value is.
-std::vector<float> readOutput(Accessors& accessors, uint32_t accessor, const std::string& path) {
+// The output of a sampler as floats; `property` says how wide one value is.
+std::vector<float> readOutput(Accessors& accessors, uint32_t accessor, Property property) {
     const auto flat = [](const auto& vectors) {
         const float* first = vectors.empty() ? nullptr : &vectors[0][0];
         return std::vector<float>(first, first + vectors.size() * vectors[0].length());
     };
-    if (path == "weights") return accessors.scalars(accessor, Integers::fractions);
+    if (property == Property::weights) return accessors.scalars(accessor, Integers::fractions);
     if (accessors.count(accessor) == 0) return {};
-    if (path == "rotation") return flat(accessors.vec4s(accessor, Integers::fractions));
+    if (property == Property::rotation)
+        return flat(accessors.vec4s(accessor, Integers::fractions));
     return flat(accessors.vec3s(accessor));
 }
 
-Track readTrack(Document& document, Accessors& accessors, const Value& sampler,
-                const std::string& path, size_t width) {
+Track readTrack(Document& document, Accessors& accessors, const Value& sampler, Property property,
+                size_t width) {
     Track t;
     t.width = width;
     t.interpolation = interpolationOf(sampler);
     const uint32_t input = sampler["input"].asIndexInto("accessors");
     const uint32_t output = sampler["output"].asIndexInto("accessors");
     t.times = accessors.scalars(input);
-    t.values = readOutput(accessors, output, path);
+    t.values = readOutput(accessors, output, property);
     if (t.times.empty()) sampler.fail("has no keys");
     accessors.requireFinite(t.times.data(), t.times.size(), 1, input, "key time");
     accessors.requireFinite(t.values.data(), t.values.size(), 1, output, "key value");
@@ -109,6 +94,8 @@ Track readTrack(Document& document, Accessors& accessors, const Value& sampler,
         sampler.fail("has " + std::to_string(t.times.size()) + " keys, but " +
                      std::to_string(t.values.size()) + " output numbers where " +
                      std::to_string(t.times.size() * t.perKey() * width) + " are needed");
+    // Many channels may read the same few keys, and each keeps its own.
+    document.budget().spend((t.times.size() + t.values.size()) * sizeof(float), sampler);
     return t;
 }
 
@@ -121,37 +108,41 @@ size_t targetCount(const Document& document, const Node& node) {
     return targets ? targets->size() : 0;
 }
 
-struct Channel {
+struct Target {
     uint32_t node = 0;
-    std::string path;
+    Property property = Property::translation;
 };
 
 // Nothing where the channel moves no node of ours.
-std::optional<Channel> readChannel(Document& document, const Value& channel) {
+std::optional<Target> readTarget(Document& document, const Value& channel) {
     const Value target = channel["target"];
     const auto node = target.index("node", "nodes");
     const std::string path = target["path"].asText();
-    const bool known = path == "translation" || path == "rotation" || path == "scale" ||
-                       path == "weights";
-    if (!known) document.warn("animation of '" + path.substr(0, 40) + "' is ignored");
-    if (!node || !known) return std::nullopt;
-    return Channel{*node, path};
+    constexpr const char* names[] = {"translation", "rotation", "scale", "weights"};
+    for (uint8_t i = 0; i < std::size(names); ++i)
+        if (path == names[i]) {
+            if (!node) return std::nullopt;
+            return Target{*node, Property(i)};
+        }
+    document.warn("animation of '" + path.substr(0, 40) + "' is ignored");
+    return std::nullopt;
 }
 
-void applyChannel(Document& document, Accessors& accessors, const Value& sampler,
-                  const Channel& channel, double time, Node& node) {
-    if (channel.path == "weights") {
-        const size_t width = targetCount(document, node);
-        if (width > 0)
-            node.weights = sample(readTrack(document, accessors, sampler, channel.path, width),
-                                  time, false);
+// Numbers of one key.
+size_t widthOf(const Document& document, Property property, const Node& node) {
+    if (property == Property::weights) return targetCount(document, node);
+    return property == Property::rotation ? 4 : 3;
+}
+
+void poseNode(const Channel& channel, double time, Node& node) {
+    const bool rotation = channel.property == Property::rotation;
+    std::vector<float> v = sample(channel.track, time, rotation);
+    if (channel.property == Property::weights) {
+        node.weights = std::move(v);
         return;
     }
-    const bool rotation = channel.path == "rotation";
-    const Track track = readTrack(document, accessors, sampler, channel.path, rotation ? 4 : 3);
-    const std::vector<float> v = sample(track, time, rotation);
     if (rotation) node.rotation = quatAt(v.data());
-    else (channel.path == "scale" ? node.scale : node.translation) = {v[0], v[1], v[2]};
+    else (channel.property == Property::scale ? node.scale : node.translation) = {v[0], v[1], v[2]};
     node.matrix.reset();  // glTF forbids both; the animation wins
 }
 
@@ -165,27 +156,43 @@ std::vector<std::string> listAnimations(Document& document, std::vector<Node>& n
         names.push_back(animation.text("name", "animation " + std::to_string(i)));
         const Value channels = animation["channels"];
         for (size_t c = 0; c < channels.size(); ++c)
-            if (const auto channel = readChannel(document, channels.at(c))) {
-                Node& node = nodes[channel->node];
-                (channel->path == "weights" ? node.morphs : node.moves) = true;
+            if (const auto target = readTarget(document, channels.at(c))) {
+                Node& node = nodes[target->node];
+                (target->property == Property::weights ? node.morphs : node.moves) = true;
             }
     }
     return names;
 }
 
-void applyAnimation(Document& document, Accessors& accessors, uint32_t index, double time,
-                    std::vector<Node>& nodes) {
+Animation readAnimation(Document& document, Accessors& accessors, uint32_t index,
+                        const std::vector<Node>& nodes) {
     const Value animation = document.element("animations", index);
     const Value channels = animation["channels"], samplers = animation["samplers"];
+    Animation out;
     for (size_t c = 0; c < channels.size(); ++c) {
-        const auto channel = readChannel(document, channels.at(c));
-        if (!channel) continue;
+        const auto target = readTarget(document, channels.at(c));
+        if (!target) continue;
         const uint64_t sampler = channels.at(c)["sampler"].asCount();
         if (sampler >= samplers.size())
             channels.at(c).fail("there is no sampler " + std::to_string(sampler));
-        applyChannel(document, accessors, samplers.at(sampler), *channel, time,
-                     nodes[channel->node]);
+        const size_t width = widthOf(document, target->property, nodes[target->node]);
+        if (width == 0) continue;  // weights of a mesh that has no targets
+        out.channels.push_back({target->node, target->property,
+                                readTrack(document, accessors, samplers.at(sampler),
+                                          target->property, width)});
+        out.length = std::max(out.length, double(out.channels.back().track.times.back()));
     }
+    return out;
+}
+
+void poseNodes(const Animation& animation, double time, std::vector<Node>& nodes) {
+    for (const Channel& channel : animation.channels) poseNode(channel, time, nodes[channel.node]);
+}
+
+double loopedTime(double time, double length) {
+    if (!(length > 0)) return time;
+    const double t = std::fmod(time, length);
+    return t < 0 ? t + length : t;
 }
 
 }  // namespace gp::io

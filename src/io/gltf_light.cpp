@@ -18,6 +18,17 @@ glm::vec3 axis(const Node& node, int column, glm::vec3 fallback) {
 
 }  // namespace
 
+void placeLight(const Node& node, Light& light) {
+    light.position = glm::vec3(node.worldFromNode[3]);
+    light.direction = -axis(node, 2, {0, 0, 1});  // glTF lights shine along -Z
+}
+
+void placeCamera(const Node& node, Camera& camera) {
+    camera.position = glm::vec3(node.worldFromNode[3]);
+    camera.target = camera.position - axis(node, 2, {0, 0, 1});
+    camera.up = axis(node, 1, {0, 1, 0});
+}
+
 std::shared_ptr<Light> readLight(Document& document, const Node& node) {
     const Value all = document.root()["extensions"]["KHR_lights_punctual"]["lights"];
     if (*node.light >= all.size())
@@ -28,8 +39,7 @@ std::shared_ptr<Light> readLight(Document& document, const Node& node) {
     light->name = value.text("name", node.name);
     light->emission = value.vec<3>("color", glm::vec3(1)) *
                       std::max(value.real("intensity", 1), 0.0f) / lumenPerWatt;
-    light->position = glm::vec3(node.worldFromNode[3]);
-    light->direction = -axis(node, 2, {0, 0, 1});  // glTF lights shine along -Z
+    placeLight(node, *light);
     const std::string type = value["type"].asText();
     if (type == "directional") {
         light->kind = LightKind::directional;
@@ -57,9 +67,7 @@ Camera readCamera(Document& document, const Node& node) {
     Camera c;
     c.name = value.text("name", node.name);
     if (c.name.empty()) c.name = "camera " + std::to_string(*node.camera);
-    c.position = glm::vec3(node.worldFromNode[3]);
-    c.target = c.position - axis(node, 2, {0, 0, 1});
-    c.up = axis(node, 1, {0, 1, 0});
+    placeCamera(node, c);
     const std::string type = value["type"].asText();
     if (type == "perspective") {
         c.verticalFov = value["perspective"].real("yfov", 0);

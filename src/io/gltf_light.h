@@ -13,4 +13,8 @@ namespace gp::io {
 std::shared_ptr<Light> readLight(Document& document, const Node& node);
 Camera readCamera(Document& document, const Node& node);
 
+// Puts them where the node is now.
+void placeLight(const Node& node, Light& light);
+void placeCamera(const Node& node, Camera& camera);
+
 }  // namespace gp::io

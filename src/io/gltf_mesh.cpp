@@ -1,5 +1,7 @@
 #include "io/gltf_mesh.h"
 
+#include <algorithm>
+
 #include "scene/hash.h"
 
 namespace gp::io {
@@ -13,64 +15,86 @@ bool Meshes::anyNodeMoves(uint32_t mesh, const std::vector<Node>& nodes) {
     return m_moves[mesh];
 }
 
-// Weights come from the animation, the node or the mesh, in this order.
-Deformation Meshes::deformationOf(const Node& node, const std::vector<Node>& nodes) {
-    Deformation d;
-    d.weights = node.weights;
-    if (const auto w = m_document.element("meshes", *node.mesh).find("weights");
-        d.weights.empty() && w && w->size() > 0) {
-        d.weights.resize(w->size());
-        w->reals(d.weights.data(), d.weights.size());
+const std::shared_ptr<const Skin>& Meshes::skin(uint32_t index) {
+    std::shared_ptr<const Skin>& s = m_skins[index];
+    if (!s) s = std::make_shared<Skin>(readSkin(m_document, m_accessors, index));
+    return s;
+}
+
+Meshes::Deformer Meshes::deformerOf(uint32_t index, const std::vector<Node>& nodes) {
+    const Node& node = nodes[index];
+    Deformer d;
+    d.node = index;
+    const auto w = m_document.element("meshes", *node.mesh).find("weights");
+    if (w && w->size() > 0) {
+        d.meshWeights.resize(w->size());
+        w->reals(d.meshWeights.data(), d.meshWeights.size());
     }
-    const bool allZero = std::all_of(d.weights.begin(), d.weights.end(),
-                                     [](float w) { return w == 0; });
-    if (allZero) d.weights.clear();
-    if (node.skin) d.worldFromJointRest = jointMatrices(m_document, m_accessors, *node.skin, nodes);
+    if (node.skin) d.skin = skin(*node.skin);
+    d.deformation = deformationOf(node, d.meshWeights, d.skin.get(), nodes);
+    const auto jointMoves = [&](uint32_t joint) { return nodes[joint].moves; };
+    d.changes = node.morphs ||
+                (d.skin && std::any_of(d.skin->joints.begin(), d.skin->joints.end(), jointMoves));
     return d;
 }
 
-std::shared_ptr<const Mesh> Meshes::build(const Node& node, uint32_t primitive,
-                                          const Deformation& deformation, MeshKind kind,
-                                          uint64_t owner) {
-    const Value mesh = m_document.element("meshes", *node.mesh);
+// deformer null: the primitive is shown as it is.
+std::shared_ptr<Mesh> Meshes::build(uint32_t meshIndex, uint32_t primitive,
+                                    const Deformer* deformer, MeshKind kind, uint64_t owner) {
+    const Value mesh = m_document.element("meshes", meshIndex);
     const Value value = mesh["primitives"].at(primitive);
-    std::optional<MeshData> data = readPrimitive(m_document, m_accessors, value, deformation);
-    if (!data) return nullptr;
-    m_document.budget().spend(data->positions.size() * sizeof(MeshData::positions[0]) * 4 +
-                                  data->indices.size() * sizeof(uint32_t),
+    const bool keep = m_keepDeformables && deformer && deformer->changes;
+    ShapeRequest request;
+    if (deformer) request.weights = deformer->deformation.weights;
+    if (deformer && deformer->skin) request.joints = deformer->skin->joints.size();
+    request.allTargets = keep;
+    std::optional<Shape> shape = readShape(m_document, m_accessors, value, request);
+    if (!shape) return nullptr;
+    const auto material = value.index("material", "materials");
+    const MeshOptions options = m_materials.meshOptions(material);
+    if (deformer) completeTangents(*shape, options);
+    m_document.budget().spend(shape->rest.positions.size() * sizeof(glm::vec3) * 4 +
+                                  shape->rest.indices.size() * sizeof(uint32_t),
                               value);
     auto out = std::make_shared<Mesh>();
-    const uint32_t key[2] = {*node.mesh, primitive};
+    const uint32_t key[2] = {meshIndex, primitive};
     out->id = hashBytes(key, sizeof key, owner);
-    out->name = mesh.text("name", "mesh " + std::to_string(*node.mesh));
+    out->name = mesh.text("name", "mesh " + std::to_string(meshIndex));
     out->kind = kind;
-    const auto material = value.index("material", "materials");
     out->material = m_materials.get(material);
-    fillMesh(*out, std::move(*data), m_materials.meshOptions(material));
+    if (!keep) {
+        if (deformer) deform(*shape, deformer->deformation, shape->rest);
+        fillMesh(*out, std::move(shape->rest), options);
+        return out;
+    }
+    m_document.budget().spend(shape->bytes(), value);
+    MeshData data = shape->rest;
+    deform(*shape, deformer->deformation, data);
+    fillMesh(*out, std::move(data), options);
+    m_deformables.push_back({deformer->node, std::move(*shape), deformer->meshWeights,
+                             deformer->skin, options, out, deformer->deformation});
     return out;
 }
 
 std::vector<Meshes::Shown> Meshes::show(uint32_t index, const std::vector<Node>& nodes) {
     const Node& node = nodes[index];
-    const uint32_t count = static_cast<uint32_t>(
-        m_document.element("meshes", *node.mesh)["primitives"].size());
-    const Deformation deformation = deformationOf(node, nodes);
-    const bool dynamic = node.morphs ||
-                         (node.skin && skinMoves(m_document, *node.skin, nodes));
-    const bool own = dynamic || node.skin || !deformation.weights.empty();
-    const MeshKind kind = dynamic                                ? MeshKind::dynamic
-                          : own ? (node.moves && !node.skin ? MeshKind::movable
-                                                            : MeshKind::staticMesh)
-                          : anyNodeMoves(*node.mesh, nodes)      ? MeshKind::movable
-                                                                 : MeshKind::staticMesh;
+    const uint32_t mesh = *node.mesh;
+    const uint32_t count =
+        static_cast<uint32_t>(m_document.element("meshes", mesh)["primitives"].size());
+    const Deformer deformer = deformerOf(index, nodes);
+    const bool own = deformer.changes || node.skin || !deformer.deformation.weights.empty();
+    const bool moves = own ? node.moves && !node.skin : anyNodeMoves(mesh, nodes);
+    const MeshKind kind = deformer.changes ? MeshKind::dynamic
+                          : moves          ? MeshKind::movable
+                                           : MeshKind::staticMesh;
     std::vector<Shown> shown;
     for (uint32_t p = 0; p < count; ++p) {
         if (own) {
-            shown.push_back({p, build(node, p, deformation, kind, node.pathHash)});
+            shown.push_back({p, build(mesh, p, &deformer, kind, node.pathHash)});
             continue;
         }
-        const auto [it, isNew] = m_shared.try_emplace({*node.mesh, p});
-        if (isNew) it->second = build(node, p, {}, kind, m_seed);
+        const auto [it, isNew] = m_shared.try_emplace({mesh, p});
+        if (isNew) it->second = build(mesh, p, nullptr, kind, m_seed);
         shown.push_back({p, it->second});
     }
     std::erase_if(shown, [](const Shown& s) { return !s.mesh; });

@@ -107,23 +107,31 @@ std::vector<Node> readNodes(Document& document) {
     return nodes;
 }
 
-void placeNodes(const Document& document, std::vector<Node>& nodes, uint64_t seed) {
-    for (const uint32_t i : below(nodes, roots(nodes))) {
+std::vector<uint32_t> parentsFirst(const std::vector<Node>& nodes) {
+    return below(nodes, roots(nodes));
+}
+
+void identifyNodes(std::vector<Node>& nodes, uint64_t seed) {
+    for (const uint32_t i : parentsFirst(nodes)) {
+        Node& n = nodes[i];
+        const Node* parent = n.parent ? &nodes[*n.parent] : nullptr;
+        n.moves |= parent && parent->moves;
+        const std::string step = n.name + "#" + std::to_string(i);
+        n.pathHash = hashBytes(step.data(), step.size(), parent ? parent->pathHash : seed);
+    }
+}
+
+void placeNodes(const std::string& path, const std::vector<uint32_t>& order,
+                std::vector<Node>& nodes) {
+    for (const uint32_t i : order) {
         Node& n = nodes[i];
         n.worldFromNode = parentFromNode(n);
         // glTF allows affine transforms only; what a file has in the last row is not meant.
         for (int c = 0; c < 4; ++c) n.worldFromNode[c][3] = c == 3 ? 1.0f : 0.0f;
-        uint64_t parentHash = seed;
-        if (n.parent) {
-            const Node& parent = nodes[*n.parent];
-            n.worldFromNode = parent.worldFromNode * n.worldFromNode;
-            n.moves |= parent.moves;
-            parentHash = parent.pathHash;
-        }
+        if (n.parent) n.worldFromNode = nodes[*n.parent].worldFromNode * n.worldFromNode;
         if (!isFinite(n.worldFromNode))
-            document.element("nodes", i).fail("its transform is not finite");
-        const std::string step = n.name + "#" + std::to_string(i);
-        n.pathHash = hashBytes(step.data(), step.size(), parentHash);
+            throw FileError(FileError::Kind::invalid, path,
+                            nodeText(i) + ": its transform is not finite");
     }
 }
 

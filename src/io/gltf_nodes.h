@@ -32,9 +32,17 @@ struct Node {
 // Reads all nodes and checks that they form trees.
 std::vector<Node> readNodes(Document& document);
 
-// After animations have moved the nodes: worldFromNode, `moves` and `pathHash` of every one,
-// `seed` being the hash of the file. Fails where a transform is not finite.
-void placeNodes(const Document& document, std::vector<Node>& nodes, uint64_t seed);
+// All nodes, parents first.
+std::vector<uint32_t> parentsFirst(const std::vector<Node>& nodes);
+
+// Once listAnimations has marked them: `moves` and `pathHash` of every one, `seed` being the hash
+// of the file.
+void identifyNodes(std::vector<Node>& nodes, uint64_t seed);
+
+// After animations have moved the nodes: worldFromNode of every one. `order` is parentsFirst().
+// Throws FileError of the file at `path` where a transform is not finite.
+void placeNodes(const std::string& path, const std::vector<uint32_t>& order,
+                std::vector<Node>& nodes);
 
 // The nodes of a scene and everything below them, parents first. scene < 0: the file's default;
 // a file without scenes shows all of its roots.

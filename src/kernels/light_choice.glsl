@@ -30,6 +30,8 @@ struct LightGroups {
     float tree;
     float sum;              // of those that a shadow ray chooses among
     float directional_sum;  // the same of the shadow ray that may choose directional lights
+    uint resampled;         // 1: lights that are not directional come from a reservoir, and weights
+                            // between techniques leave out how probable each light was
 };
 
 float directional_importance(IN(LightRecord) record, vec3 normal) {
@@ -77,6 +79,7 @@ LightGroups light_groups(vec3 p, vec3 normal) {
     }
     g.sum = g.environment + g.directional + g.tree;
     g.directional_sum = g.sum;
+    g.resampled = 0u;
     return g;
 }
 
@@ -176,6 +179,7 @@ float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
     if (index < f.directional_lights) {
         return directional_importance(load_light(index), normal) * f.directional_visibility / sum;
     }
+    if (g.resampled != 0u) { return 1.0f; }
     float pmf = g.tree / sum;
     uint trail = load_light(index).trail;
     uint node = 0u;
@@ -235,6 +239,7 @@ TriangleLight triangle_light(IN(LightRecord) r) {
 // What textures and coverage make of an emissive triangle's radiance at one point. Coverage counts
 // because a ray that the material sends meets the triangle only as often as that.
 vec3 triangle_emission(IN(LightRecord) r, vec3 light_barycentrics) {
+    if (r.instance == NO_INDEX) { return r.emission; }  // a polygon's
     LET_REF(InstanceRecord) instance = load_instance(r.instance);
     LET_REF(MaterialRecord) m = load_material(instance.material);
     bool covers = (m.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u;
@@ -283,8 +288,8 @@ struct ChosenLight {
     vec2 environment_uv;
 };
 
-ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
-    LightChoice choice = choose_light(g, p, normal, u_choice);
+// The point of light `choice` that u stands for, as seen from p.
+ChosenLight chosen_light_point(IN(LightChoice) choice, vec3 p, vec2 u) {
     ChosenLight c;
     c.light = choice.light;
     c.pmf = choice.pmf;
@@ -304,6 +309,10 @@ ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_c
     return c;
 }
 
+ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_choice, vec2 u) {
+    return chosen_light_point(choose_light(g, p, normal, u_choice), p, u);
+}
+
 vec3 chosen_light_radiance(IN(ChosenLight) c) {
     return c.light == LIGHT_ENVIRONMENT ? environment_radiance_at(c.environment_uv)
                                         : c.point.radiance;
@@ -317,9 +326,9 @@ float light_pdf(IN(LightRecord) r, vec3 p, vec3 to_light) {
     return sphere_light_pdf(sphere_light(r), p, to_light);
 }
 
-// Radiance of a sphere or rectangle that a ray from p along `direction` met.
+// Radiance of a sphere, rectangle or polygon that a ray from p along `direction` met.
 vec3 light_radiance(IN(LightRecord) r, vec3 p, vec3 direction) {
-    if (r.kind == LIGHT_RECTANGLE) {
+    if (r.kind == LIGHT_RECTANGLE || r.kind == LIGHT_TRIANGLE) {
         return dot(r.direction, direction) < 0.0f || r.two_sided != 0u ? r.emission : vec3(0.0f);
     }
     return sphere_light_emission(sphere_light(r), p);

@@ -31,6 +31,8 @@ LightSample lamp_sample(IN(LightRecord) record, vec3 p, uint falloff) {
     SphereLight lamp = sphere_light(record);
     if (record.kind == LIGHT_RECTANGLE) {
         lamp = rectangle_light_as_point(rectangle_light(record), p);
+    } else if (record.kind == LIGHT_TRIANGLE) {
+        lamp = triangle_light_as_point(triangle_light(record), p);
     }
     return light_sample_with_falloff(
         sphere_light_sample(sphere_light_as_point(lamp), p, vec2(0.0f)), falloff);

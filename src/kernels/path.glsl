@@ -98,7 +98,8 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction) {
         EnvironmentLight sky = environment_light(direction, from.pdf > 0.0f);
         light = sky.radiance;
         if (from.pdf > 0.0f) {
-            float chosen = from.groups.environment / from.groups.sum;
+            float chosen = from.groups.resampled != 0u
+                               ? 1.0f : from.groups.environment / from.groups.sum;
             light *= mis_power(from.pdf, chosen * sky.pdf);
         }
     }
@@ -188,9 +189,11 @@ struct ShadowedLight {
 };
 
 // The shadow ray of a surface to the light chosen for it; `attenuation` is that of the medium on
-// wo's side.
+// wo's side. `resampled` above 0 stands for one over the probability of having chosen this point
+// of this light.
 ShadowedLight shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) choice,
-                             vec3 wo_local, vec3 wo, vec3 attenuation, bool weigh) {
+                             vec3 wo_local, vec3 wo, vec3 attenuation, bool weigh,
+                             float resampled) {
     LET_REF(LightSample) light = choice.point;
     ShadowedLight arrived;
     arrived.light = vec3(0.0f);
@@ -213,7 +216,8 @@ ShadowedLight shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) 
     if (reflected && attenuation != vec3(0.0f) && light.distance < FLOAT_MAX) {
         radiance *= medium_transmittance(attenuation, light.distance);
     }
-    arrived.light = radiance * (w / density * visible);
+    arrived.light = radiance * ((resampled > 0.0f ? w * resampled / light.pdf : w / density) *
+                                visible);
     return arrived;
 }
 
@@ -340,7 +344,7 @@ void path_scatter(INOUT(PathState) path) {
                  (f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT));
     if (!bsdf_is_specular(p.bsdf)) {
         ShadowedLight arrived =
-            shadowed_light(s, p, light, wo_local, wo, path.attenuation, !last);
+            shadowed_light(s, p, light, wo_local, wo, path.attenuation, !last, 0.0f);
         path.light = add_light(path.light, path.throughput * (arrived.f_cos * arrived.light),
                                path.depth + 1u);
         if (last) { return; }

@@ -1,9 +1,10 @@
 // What a surface is at one point, and what all kinds of materials read alike: textures, the frame
 // with its normal map, base colour, emission.
-// Resources: sample_texture.
+// Resources: sample_texture, load_texture_layer.
 #ifndef GP_KERNELS_SHADING_POINT_GLSL
 #define GP_KERNELS_SHADING_POINT_GLSL
 #include "kernels/surface.glsl"
+#include "kernels/texture_layers.glsl"
 #include "shading/bsdf/bsdf.glsl"
 
 struct ShadingPoint {
@@ -91,10 +92,26 @@ vec3 read_emission(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     return shines ? e : vec3(0.0f);
 }
 
+// Out of line: materials without layers must not pay for them.
+OUT_OF_LINE vec3 add_texture_layers(vec3 base, uint first, IN(Surface) s, float u_lod) {
+    vec3 color = base;
+    for (uint i = first;; ++i) {
+        LET_REF(TextureLayerRecord) layer = load_texture_layer(i);
+        vec4 over = layer.color;
+        if (layer.has_texture != 0u) { over *= read_slot(layer.slot, s, u_lod); }
+        color = layer_over(color, over, layer.blend);
+        if (layer.is_last != 0u) { return color * layer.tint; }
+    }
+    return color;
+}
+
 vec3 read_base_color(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     vec3 base = vec3(m.base_color);
     if ((m.textures & SLOT_BASE_COLOR) != 0u) {
         base *= vec3(read_slot(m.base_color_slot, s, u_lod));
+    }
+    if ((m.textures & SLOT_LAYERS) != 0u) {
+        base = add_texture_layers(base, m.first_texture_layer, s, u_lod);
     }
     if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) { base *= vec3(s.color); }
     return base;

@@ -55,6 +55,12 @@ vec3 bend_to_viewer(vec3 n, vec3 wo) {
 #define SURFACE_UV 1u       // texture coordinates and colours
 #define SURFACE_TANGENT 2u  // for normal maps and anisotropy
 
+vec3 surface_position(IN(Hit) hit) {
+    LET_REF(InstanceRecord) instance = load_instance(hit.instance);
+    TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
+    return transform_point(instance, interpolate(c.p0, c.p1, c.p2, hit.u, hit.v));
+}
+
 // `cone` is the ray's cone at the hit; `needs`: SURFACE_ bits.
 Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) {
     LET_REF(InstanceRecord) instance = load_instance(hit.instance);

@@ -86,6 +86,29 @@ private:
         r.kind = LIGHT_DIRECTIONAL, r.direction = glm::normalize(light.direction);
         r.radius = light.angularRadius, r.emission = light.emission;
         table_.lights.push_back(r);
+        table_.sources.push_back(&light);
+    }
+
+    // Each triangle is a light of its own: the tree knows best which part of a large polygon is
+    // near.
+    void addPolygon(const Light& light) {
+        const std::vector<glm::vec3>& p = light.corners;
+        for (size_t i = 1; i + 1 < p.size(); ++i) {
+            LightRecord r{};
+            r.kind = LIGHT_TRIANGLE, r.two_sided = light.twoSided, r.emission = light.emission;
+            r.position = p[0], r.edge_u = p[i] - p[0], r.edge_v = p[i + 1] - p[0];
+            r.instance = NO_INDEX, r.primitive = uint32_t(i) - 1;
+            const glm::vec3 n = glm::cross(r.edge_u, r.edge_v);
+            const float length = glm::length(n);
+            r.direction = length > 0 ? n / length : light.direction, r.area = 0.5f * length;
+            LightBounds b;
+            b.lo = glm::min(p[0], glm::min(p[i], p[i + 1]));
+            b.hi = glm::max(p[0], glm::max(p[i], p[i + 1]));
+            b.axis = r.direction, b.twoSided = light.twoSided;
+            b.phi = power(light.emission, r.area, light.twoSided);
+            push(r, b);
+            table_.sources.push_back(&light);
+        }
     }
 
     void addLocal(const Light& light) {
@@ -93,6 +116,7 @@ private:
         LightBounds b;
         const float l = shading::luminance(light.emission);
         if (!(l > 0)) return;
+        if (light.kind == LightKind::polygon) return addPolygon(light);
         r.position = light.position, r.emission = light.emission, r.radius = light.radius;
         if (light.kind == LightKind::rectangle) {
             const glm::vec3 n = glm::cross(light.edgeU, light.edgeV);
@@ -120,12 +144,15 @@ private:
             }
         }
         push(r, b);
+        table_.sources.push_back(&light);
     }
 
     void addTriangles(uint32_t instanceIndex) {
         const Instance& instance = *scene_.instances[instanceIndex];
         const Material& material = instance.surface();
         if (!(shading::luminance(material.emission) > 0) || material.unlit) return;
+        // What bounced rays never meet lights nothing: their share of its light would be missing.
+        if ((instance.visibility & visibleToBounce) == 0) return;
         const Mesh& mesh = *instance.mesh;
         const TextureUse& use = material.emissionTexture;
         const auto sums = use.texture ? std::make_unique<TexelSums>(*use.texture) : nullptr;

@@ -15,6 +15,7 @@ struct LightTable {
     std::vector<shared::LightTreeNode> tree;    // over all others
     std::vector<uint32_t> lightMap;  // instance -> offset in lightOfTriangle, or NO_INDEX
     std::vector<uint32_t> lightOfTriangle;      // NO_INDEX: that triangle is dark
+    std::vector<const Light*> sources;  // of all lights before the first emissive triangle
     uint64_t emissiveTriangles = 0;
 };
 

@@ -15,6 +15,7 @@ struct LightBounds {
     glm::vec3 axis{0, 0, 1};  // mean direction of emission
     float cosThetaO = 1;      // spread of the normals around the axis
     float cosThetaE = 0;      // spread of emission around each normal
+    float thetaO = 0, thetaE = 0;  // the same in radians, by makeLightTree
     float phi = 0;            // power, as luminance in W; > 0
     bool twoSided = false;
     uint32_t light = 0;       // index into the light table

@@ -26,6 +26,16 @@ struct MaterialLayer {
 
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
+// How a texture layer meets the colour below it (kernels/texture_layers.glsl).
+enum class LayerBlend : uint8_t { opaque, alpha, add, shade };
+
+// A texture over the base colour.
+struct TextureLayer {
+    TextureUse texture;                // rgba
+    glm::vec4 color{1};                // linear, multiplies it
+    LayerBlend blend = LayerBlend::opaque;
+};
+
 struct Material {
     std::string name;
 
@@ -84,6 +94,21 @@ struct Material {
     // fields above only base colour (a factor of the model's own), normal map, emission, alpha,
     // attenuation and the anisotropy's rotation (of the tangent) count.
     std::vector<MaterialLayer> layers;
+
+    std::vector<TextureLayer> textureLayers;  // over base colour times its texture, at most 2
+
+    // Not empty: an animated material; all above says nothing, and frames[frame] shows. None of
+    // the frames is animated.
+    std::vector<std::shared_ptr<const Material>> frames;
+    uint32_t frame = 0;
+
+    const Material& shown() const { return frames.empty() ? *this : *frames[frame]; }
+    // Whether rays may pass by its alpha, whichever frame shows.
+    bool mayPass() const {
+        for (const auto& f : frames)
+            if (f->mayPass()) return true;
+        return frames.empty() && alphaMode != AlphaMode::opaque;
+    }
 };
 
 }  // namespace gp

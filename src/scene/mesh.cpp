@@ -24,9 +24,10 @@ glm::vec3 unit(glm::vec3 v) {
     return glm::normalize(v / most);
 }
 
+// values[order[i]] for each i; an empty order leaves all in place.
 template <typename T>
 void gather(std::vector<T>& values, const std::vector<uint32_t>& order) {
-    if (values.empty()) return;
+    if (values.empty() || order.empty()) return;
     std::vector<T> out(order.size());
     for (size_t i = 0; i < order.size(); ++i) out[i] = values[order[i]];
     values = std::move(out);
@@ -39,6 +40,8 @@ void gatherAll(MeshData& data, const std::vector<uint32_t>& order) {
     gather(data.uv[0], order);
     gather(data.uv[1], order);
     gather(data.colors, order);
+    if (data.given.empty()) data.given = order;
+    else gather(data.given, order);
 }
 
 std::vector<glm::uvec3> takeTriangles(MeshData& data) {
@@ -89,8 +92,15 @@ void repairNormals(MeshData& data, const std::vector<glm::uvec3>& triangles) {
     }
 }
 
-// Where the corners that share a vertex disagree about its tangent, it is copied.
-void addTangents(MeshData& data, std::vector<glm::uvec3>& triangles, const MeshOptions& options) {
+bool lacksTangents(const MeshData& data, const MeshOptions& options) {
+    return options.needsTangents && data.tangents.empty() &&
+           !data.uv[options.tangentUv & 1].empty();
+}
+
+// Where the corners that share a vertex disagree about its tangent, it is copied. Returns, for each
+// vertex, the one that it was.
+std::vector<uint32_t> addTangents(MeshData& data, std::vector<glm::uvec3>& triangles,
+                                  const MeshOptions& options) {
     std::vector<glm::vec2> uv = data.uv[options.tangentUv & 1];
     for (glm::vec2& p : uv) p = options.uvTransform * glm::vec3(p, 1);
     const std::vector<glm::vec4> corners =
@@ -118,6 +128,7 @@ void addTangents(MeshData& data, std::vector<glm::uvec3>& triangles, const MeshO
     data.tangents.clear();
     if (order.size() != count) gatherAll(data, order);
     data.tangents = std::move(tangents);
+    return order;
 }
 
 uint32_t packTangent(glm::vec3 normal, glm::vec4 tangent) {
@@ -126,18 +137,69 @@ uint32_t packTangent(glm::vec3 normal, glm::vec4 tangent) {
     return shading::tangent_encode(shading::frame_from_normal_tangent(normal, t, sign).t, sign);
 }
 
+// Packed tangents for other coordinates on the vertices as they are; zeros where some vertex would
+// need two.
+std::vector<uint32_t> tangentsOf(const Mesh& mesh, std::vector<glm::vec2> uv) {
+    const size_t count = mesh.vertexCount();
+    std::vector<uint32_t> packed(count, 0);
+    if (uv.empty()) return packed;
+    for (glm::vec2& p : uv) p = mesh.options.uvTransform * glm::vec3(p, 1);
+    std::vector<glm::vec3> normals(count);
+    for (size_t v = 0; v < count; ++v)
+        normals[v] = shading::octahedral_decode(mesh.vertices[v].normalOct);
+    const std::vector<glm::vec4> corners = generateTangents(
+        {{mesh.positions.data(), count}, normals, uv, mesh.triangles});
+    std::vector<glm::vec4> tangents(count, glm::vec4(0));
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const uint32_t v = mesh.triangles[i / 3][int(i % 3)];
+        if (tangents[v].w != 0 && tangents[v] != corners[i]) return packed;
+        tangents[v] = corners[i];
+    }
+    for (size_t v = 0; v < count; ++v) packed[v] = packTangent(normals[v], tangents[v]);
+    return packed;
+}
+
+// Whether coordinates are the old ones moved as a whole, but for rounding, as those of a texture
+// that scrolls are: tangents then stay. Finding them anew costs a hundred times as much.
+bool onlyMoved(const Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& uv) {
+    if (uv.empty() || (set == 1 && mesh.uv1.empty())) return false;
+    const auto old = [&](size_t v) { return set == 0 ? mesh.vertices[v].uv : mesh.uv1[v]; };
+    constexpr float rounding = 2.4e-7f;  // two steps of a float
+    const glm::vec2 move = uv[0] - old(0);
+    for (size_t v = 1; v < uv.size(); ++v) {
+        const glm::vec2 size = glm::max(glm::abs(uv[v]), glm::abs(old(v))) + glm::abs(move);
+        const glm::vec2 off = glm::abs(uv[v] - old(v) - move);
+        if (off.x > rounding * size.x || off.y > rounding * size.y) return false;
+    }
+    return true;
+}
+
 glm::u8vec4 packColor(glm::vec4 c) {
     return glm::u8vec4(glm::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
 }  // namespace
 
+std::vector<uint32_t> giveTangents(MeshData& data, const MeshOptions& options) {
+    // Flat normals come with vertices that no triangles share: those need no copies.
+    if (!lacksTangents(data, options) || data.normals.empty()) return {};
+    std::vector<glm::uvec3> triangles = takeTriangles(data);
+    repairNormals(data, triangles);
+    std::vector<uint32_t> order = addTangents(data, triangles, options);
+    for (const glm::uvec3& t : triangles)
+        data.indices.insert(data.indices.end(), {t.x, t.y, t.z});
+    return order;
+}
+
 void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
+    mesh.options = options;
+    mesh.givenCount = data.positions.size();
+    mesh.tangentsGenerated = options.needsTangents && (data.tangents.empty() ||
+                                                       data.normals.empty());
     mesh.triangles = takeTriangles(data);
     if (data.normals.empty()) makeFlat(data, mesh.triangles);
     else repairNormals(data, mesh.triangles);
-    if (options.needsTangents && data.tangents.empty() && !data.uv[options.tangentUv & 1].empty())
-        addTangents(data, mesh.triangles, options);
+    if (lacksTangents(data, options)) addTangents(data, mesh.triangles, options);
 
     const size_t count = data.positions.size();
     mesh.vertices.resize(count);
@@ -154,6 +216,41 @@ void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options) {
     for (size_t v = 0; v < data.colors.size(); ++v) mesh.colors[v] = packColor(data.colors[v]);
     mesh.positions = std::move(data.positions);
     mesh.positions.emplace_back(0.0f);
+    mesh.givenVertex.clear();
+    if (options.updatable) mesh.givenVertex = std::move(data.given);
+    ++mesh.revision;
+}
+
+void updateTexCoords(Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& given) {
+    std::vector<glm::vec2> uv = given;
+    if (!given.empty()) gather(uv, mesh.givenVertex);
+    const bool turns = mesh.tangentsGenerated && mesh.options.tangentUv == set &&
+                       !onlyMoved(mesh, set, uv);
+    std::vector<uint32_t> tangents;
+    if (turns) tangents = tangentsOf(mesh, uv);  // all that may fail comes before the first change
+    if (turns)
+        for (size_t v = 0; v < tangents.size(); ++v) mesh.vertices[v].tangentOct = tangents[v];
+    if (set == 1) {
+        mesh.uv1 = std::move(uv);
+        return;
+    }
+    for (size_t v = 0; v < mesh.vertices.size(); ++v)
+        mesh.vertices[v].uv = uv.empty() ? glm::vec2(0) : uv[v];
+}
+
+void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept {
+    const bool joined = mesh.triangles == fresh.triangles &&
+                        mesh.positions.size() == fresh.positions.size();
+    if (!joined) ++mesh.topologyRevision;
+    mesh.positions.swap(fresh.positions);
+    mesh.triangles.swap(fresh.triangles);
+    mesh.vertices.swap(fresh.vertices);
+    mesh.uv1.swap(fresh.uv1);
+    mesh.colors.swap(fresh.colors);
+    mesh.givenVertex.swap(fresh.givenVertex);
+    mesh.givenCount = fresh.givenCount;
+    mesh.options = fresh.options;
+    mesh.tangentsGenerated = fresh.tangentsGenerated;
     ++mesh.revision;
 }
 

@@ -32,6 +32,16 @@ struct MeshData {
     std::vector<glm::vec2> uv[2];
     std::vector<glm::vec4> colors;    // linear RGBA
     std::vector<uint32_t> indices;    // three a triangle; absent: vertices in order
+    std::vector<uint32_t> given;      // by fillMesh: what each vertex is a copy of; empty: itself
+};
+
+// What makeMesh must know of the material to generate tangents.
+struct MeshOptions {
+    bool needsTangents = false;  // a normal map or anisotropy is there
+    uint32_t tangentUv = 0;      // which uv set they follow
+    glm::mat3x2 uvTransform{1, 0, 0,
+                            1, 0, 0};  // the normal map's; turns generated tangents with it
+    bool updatable = false;      // keeps what updateTexCoords needs
 };
 
 struct Mesh {
@@ -48,19 +58,33 @@ struct Mesh {
     uint64_t revision = 0;             // grows each time the vertices change,
     uint64_t topologyRevision = 0;     // this one when the triangles join other vertices too
 
+    // Of updatable meshes: the vertex that was given of which each is a copy (empty: itself), how
+    // many were given, and how tangents were made of the coordinates.
+    std::vector<uint32_t> givenVertex;
+    size_t givenCount = 0;
+    MeshOptions options;
+    bool tangentsGenerated = false;
+
     size_t vertexCount() const { return vertices.size(); }
 };
 
-// What makeMesh must know of the material to generate tangents.
-struct MeshOptions {
-    bool needsTangents = false;  // a normal map or anisotropy is there
-    uint32_t tangentUv = 0;      // which uv set they follow
-    glm::mat3x2 uvTransform{1, 0, 0,
-                            1, 0, 0};  // the normal map's; turns generated tangents with it
-};
+// Gives `mesh` the vertices and triangles of `fresh`, which gets the old ones. Whatever a mesh has
+// beside them stays.
+void exchangeVertices(Mesh& mesh, Mesh& fresh) noexcept;
 
 // Checks nothing (callers have: finite positions, indices in range), generates what is missing,
 // drops no triangle. Generation may split vertices.
 void fillMesh(Mesh& mesh, MeshData&& data, const MeshOptions& options);
+
+// New coordinates of set 0 or 1 for an updatable mesh, one for each given vertex, or none: zeros.
+// Triangles and positions stay where they are, because acceleration structures read them in place;
+// so vertices cannot be split anew, and where generated tangents would need that, all are left to
+// the kernels, which then take them from each triangle.
+void updateTexCoords(Mesh& mesh, uint32_t set, const std::vector<glm::vec2>& given);
+
+// Generates the tangents that fillMesh would, for what is deformed afterwards: its triangles then
+// keep their vertices over time. Returns, for each vertex that there is now, the one that it was,
+// since generation may split vertices; empty where nothing was to be done.
+std::vector<uint32_t> giveTangents(MeshData& data, const MeshOptions& options);
 
 }  // namespace gp

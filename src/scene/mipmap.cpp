@@ -64,18 +64,28 @@ struct Step {
     const std::byte* from;
     std::byte* to;
     MipLevel source, target;
+    uint32_t begin, end;  // columns of the target
 };
+
+// The texels of `to` along one axis that those of `from` in [begin, begin + count) go into: of an
+// odd size a texel goes into the one before its half, too.
+void halve(uint32_t& begin, uint32_t& count, uint32_t from, uint32_t to) {
+    const uint32_t end = begin + count;
+    const uint32_t first = from % 2 == 0 ? begin / 2 : (std::max(begin, 1u) - 1) / 2;
+    begin = std::min(first, to - 1);
+    count = std::min((end + 1) / 2, to) - begin;
+}
 
 // Both sizes even, bytes: the common case, in integers.
 void halveRow8(const Step& s, uint32_t y, bool srgb) {
     const Tables& t = tables();
     const uint8_t* a =
-        reinterpret_cast<const uint8_t*>(s.from) + size_t(y) * 2 * s.source.width * 4;
+        reinterpret_cast<const uint8_t*>(s.from) + (size_t(y) * s.source.width + s.begin) * 8;
     const uint8_t* b = a + size_t(s.source.width) * 4;
-    uint8_t* out = reinterpret_cast<uint8_t*>(s.to) + size_t(y) * s.target.width * 4;
+    uint8_t* out = reinterpret_cast<uint8_t*>(s.to) + (size_t(y) * s.target.width + s.begin) * 4;
     const auto& light = t.light[srgb];
     const auto& byte = t.byte[srgb];
-    for (uint32_t x = 0; x < s.target.width; ++x, a += 8, b += 8, out += 4) {
+    for (uint32_t x = s.begin; x < s.end; ++x, a += 8, b += 8, out += 4) {
         for (int c = 0; c < 3; ++c) {
             const unsigned sum = unsigned(light[a[c]]) + light[a[c + 4]] + light[b[c]] +
                                  light[b[c + 4]];
@@ -100,7 +110,7 @@ void store8(uint8_t* p, glm::vec4 v, bool srgb) {
 void filterRow(const Step& s, uint32_t y, PixelFormat format, bool srgb) {
     const Taps ty = tapsAt(y, s.source.height, s.target.height);
     const size_t texel = bytesPerPixel(format);
-    for (uint32_t x = 0; x < s.target.width; ++x) {
+    for (uint32_t x = s.begin; x < s.end; ++x) {
         const Taps tx = tapsAt(x, s.source.width, s.target.width);
         glm::vec4 sum(0);
         for (uint32_t j = 0; j < ty.count; ++j)
@@ -143,18 +153,22 @@ std::vector<MipLevel> mipLayout(uint32_t width, uint32_t height, PixelFormat for
     }
 }
 
-void fillMipLevels(Texture& texture) {
+void fillMipLevels(Texture& texture, TexelRect changed) {
     // 32-bit float images hold linear light already.
     const bool bytes = texture.format == PixelFormat::rgba8;
     const bool srgb = bytes && texture.colorSpace == ColorSpace::srgb;
     for (size_t level = 1; level < texture.levels.size(); ++level) {
         const MipLevel& source = texture.levels[level - 1];
         const MipLevel& target = texture.levels[level];
+        halve(changed.x, changed.width, source.width, target.width);
+        halve(changed.y, changed.height, source.height, target.height);
         const Step step{texture.pixels.data() + source.offset,
-                        texture.pixels.data() + target.offset, source, target};
+                        texture.pixels.data() + target.offset, source, target, changed.x,
+                        changed.x + changed.width};
         const bool fast = bytes && source.width % 2 == 0 && source.height % 2 == 0;
-        const size_t grain = std::max<size_t>(1, texelsPerTask / target.width);
-        tbb::parallel_for(tbb::blocked_range<uint32_t>(0, target.height, grain),
+        const size_t grain = std::max<size_t>(1, texelsPerTask / changed.width);
+        const uint32_t lastRow = changed.y + changed.height;
+        tbb::parallel_for(tbb::blocked_range<uint32_t>(changed.y, lastRow, grain),
                           [&](const tbb::blocked_range<uint32_t>& rows) {
                               for (uint32_t y = rows.begin(); y != rows.end(); ++y) {
                                   if (fast) halveRow8(step, y, srgb);

@@ -15,6 +15,7 @@ float srgbFromLinear(float v);
 
 // Fills every level of `texture` from the one before it: a box filter in linear light. Where a
 // size is odd, each smaller texel takes its exact share of three texels, so that nothing shifts.
-void fillMipLevels(Texture& texture);
+// Only what depends on `changed`, a rectangle of level 0, is filled.
+void fillMipLevels(Texture& texture, TexelRect changed);
 
 }  // namespace gp

@@ -23,10 +23,16 @@ struct Instance {
     // counter-clockwise rule is applied in object space, before the transform (glTF 2.0, 3.7.4).
     glm::mat4x3 worldFromObject{1};
     uint32_t visibility = visibleToCamera | visibleToBounce | visibleToShadow;
+    glm::vec4 color{1};                        // multiplies base colour and alpha, linear, 0..1
 
-    const Material& surface() const { return material ? *material : *mesh->material; }
-    std::shared_ptr<const Material> surfacePtr() const {
+    // What was given, which may be animated, and what shows of it.
+    const std::shared_ptr<const Material>& given() const {
         return material ? material : mesh->material;
+    }
+    const Material& surface() const { return given()->shown(); }
+    std::shared_ptr<const Material> surfacePtr() const {
+        const Material& m = *given();
+        return m.frames.empty() ? given() : m.frames[m.frame];
     }
 };
 

@@ -6,15 +6,15 @@ namespace gp {
 
 namespace {
 
-bool someAlphaBelowOne(const Image& image) {
-    const size_t texels = size_t(image.width) * image.height;
-    if (image.format == PixelFormat::rgba32f) {
+bool someAlphaBelowOne(const std::byte* pixels, PixelFormat format, size_t texels) {
+    if (format == PixelFormat::rgba32f) {
+        const auto* floats = reinterpret_cast<const float*>(pixels);
         for (size_t i = 0; i < texels; ++i)
-            if (image.floats()[i * 4 + 3] < 1) return true;
+            if (floats[i * 4 + 3] < 1) return true;
         return false;
     }
     for (size_t i = 0; i < texels; ++i)
-        if (image.bytes()[i * 4 + 3] != 255) return true;
+        if (pixels[i * 4 + 3] != std::byte(255)) return true;
     return false;
 }
 
@@ -27,7 +27,7 @@ void decodeFloats(Image& image) {
 
 }  // namespace
 
-std::shared_ptr<const Texture> makeTexture(TextureDesc&& desc) {
+std::shared_ptr<Texture> makeTexture(TextureDesc&& desc) {
     auto texture = std::make_shared<Texture>();
     texture->name = std::move(desc.name);
     texture->format = desc.image.format;
@@ -41,15 +41,33 @@ std::shared_ptr<const Texture> makeTexture(TextureDesc&& desc) {
     texture->magFilter = desc.magFilter;
     texture->minFilter = desc.minFilter;
     texture->mipmapped = desc.mipmapped;
-    texture->hasAlpha = someAlphaBelowOne(desc.image);
+    texture->hasAlpha = someAlphaBelowOne(desc.image.pixels.data(), desc.image.format,
+                                          size_t(desc.image.width) * desc.image.height);
     size_t bytes = 0;
     texture->levels = mipLayout(desc.image.width, desc.image.height, desc.image.format,
                                 desc.mipmapped, bytes);
     texture->pixels.resize(bytes);
     std::copy(desc.image.pixels.begin(), desc.image.pixels.end(), texture->pixels.begin());
     desc.image.pixels = {};
-    fillMipLevels(*texture);
+    fillMipLevels(*texture, {0, 0, desc.image.width, desc.image.height});
     return texture;
+}
+
+void updateTexture(Texture& texture, const TexelRect& rect, const std::byte* rows, size_t stride) {
+    const size_t texel = bytesPerPixel(texture.format), packed = texel * rect.width;
+    const size_t width = texture.levels[0].width, height = texture.levels[0].height;
+    std::byte* target = texture.pixels.data() + (rect.y * width + rect.x) * texel;
+    bool some = false;
+    for (size_t y = 0; y < rect.height; ++y) {
+        std::byte* row = target + y * width * texel;
+        std::copy_n(rows + y * stride, packed, row);
+        some |= someAlphaBelowOne(row, texture.format, rect.width);
+    }
+    // Only where the rectangle may have held the last such texel all others are asked.
+    texture.hasAlpha = some || (texture.hasAlpha && someAlphaBelowOne(texture.pixels.data(),
+                                                                      texture.format,
+                                                                      width * height));
+    fillMipLevels(texture, rect);
 }
 
 }  // namespace gp

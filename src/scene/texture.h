@@ -21,7 +21,8 @@ struct MipLevel {
     size_t offset = 0;  // in bytes, into Texture::pixels
 };
 
-// Immutable once made (makeTexture); shared between materials and scenes.
+// Shared between materials and scenes. Size, format and how it is read stay; only updateTexture
+// changes the pixels.
 struct Texture {
     std::string name;
     PixelFormat format = PixelFormat::rgba8;
@@ -44,7 +45,14 @@ struct TextureDesc {
 };
 
 // Takes the pixels and builds the chain (box filter in linear light, down to 1x1).
-std::shared_ptr<const Texture> makeTexture(TextureDesc&& desc);
+std::shared_ptr<Texture> makeTexture(TextureDesc&& desc);
+
+// New pixels in a rectangle of level 0, which must lie inside, and in every level below it. `rows`
+// are of the texture's format, `stride` bytes apart.
+struct TexelRect {
+    uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+void updateTexture(Texture& texture, const TexelRect& rect, const std::byte* rows, size_t stride);
 
 // A texture as a material uses it: which set of coordinates, moved by uv' = uvTransform * (u, v,
 // 1).

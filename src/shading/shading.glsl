@@ -8,7 +8,9 @@
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
 #include "shading/ycocg.glsl"
+#include "shading/blending.glsl"
 #include "shading/sh.glsl"
+#include "shading/indirect_light.glsl"
 
 #include "shading/sampling/hash.glsl"
 #include "shading/sampling/sobol.glsl"

@@ -12,6 +12,11 @@
 #define REALTIME_UNLIT 4u         // no light of the three channels reaches it
 #define REALTIME_FIRST_PERSON 8u
 
+// How shadow rays choose among lights that are not directional.
+#define LIGHT_REUSE_NONE 0u      // each by itself
+#define LIGHT_REUSE_BIASED 1u    // with what pixels of the last frame found, as if all saw the same
+#define LIGHT_REUSE_UNBIASED 2u  // the same, but those that could not have found it do not count
+
 // What a pixel of `material` holds.
 struct PixelMaterial {
     float roughness;
@@ -49,7 +54,11 @@ struct RealtimeConstants {
     uint previous_instances; // how many the last frame had
     float time_seconds;      // since the last frame
     uint resolves;           // 1: anti-aliasing over time, or upscaling; 0: a copy
+    uint light_reuse;        // LIGHT_REUSE_
+    uint previous_lights;    // how many the last frame had
+    uint relights;           // 1: a denoiser has run over the indirect light
     uint pad0;
+    uint pad1;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"
 #undef X

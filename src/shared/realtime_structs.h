@@ -10,5 +10,5 @@ using namespace glm;
 #include "shared/realtime_structs.glsl"
 
 static_assert(offsetof(RealtimeConstants, frame_index) == 32);
-static_assert(offsetof(RealtimeConstants, direct_history_frames) == 64);
+static_assert(offsetof(RealtimeConstants, direct_history_frames) == 80);
 }  // namespace gp::shared

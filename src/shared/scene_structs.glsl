@@ -8,7 +8,7 @@
 
 // Hit::instance of things that are no instance.
 #define HIT_NOTHING 0xFFFFFFFFu
-#define HIT_LIGHT 0xFFFFFFFEu  // a sphere or rectangle light; Hit::primitive is its index
+#define HIT_LIGHT 0xFFFFFFFEu  // the shape of a light; Hit::primitive is its index
 
 struct Hit {
     float t;
@@ -49,6 +49,7 @@ struct Hit {
 #define SLOT_ANISOTROPY 4096u
 #define SLOT_IRIDESCENCE 8192u
 #define SLOT_IRIDESCENCE_THICKNESS 16384u
+#define SLOT_LAYERS 32768u       // not a slot: TextureLayerRecords from first_texture_layer on
 
 struct TextureSlot {
     vec4 row_u;      // u' = x u + y v + z
@@ -89,7 +90,7 @@ struct MaterialRecord {
     uint bsdf;             // MATERIAL_LIBRARY: its parameters, for load_bsdf
     uint first_layer;      // … and what is blended over them: BsdfLayerRecord
     uint layer_count;
-    uint pad0;
+    uint first_texture_layer;  // SLOT_LAYERS
     TextureSlot base_color_slot;
     TextureSlot metallic_roughness_slot;
     TextureSlot normal_slot;
@@ -115,6 +116,24 @@ struct BsdfLayerRecord {
     float weight;
     uint bsdf;             // its parameters, for load_bsdf
     uint pad0;
+};
+
+// How a texture layer meets the colour below it: GpLayerBlend.
+#define LAYER_OPAQUE 0u
+#define LAYER_ALPHA 1u
+#define LAYER_ADD 2u
+#define LAYER_SHADE 3u
+
+// A texture over the base colour (kernels/texture_layers.glsl); those of a material stand together.
+struct TextureLayerRecord {
+    TextureSlot slot;
+    vec4 color;        // multiplies the texture
+    vec3 tint;         // the instance's colour, which multiplies what comes out of the last layer
+    uint blend;
+    uint has_texture;
+    uint is_last;
+    uint pad0;
+    uint pad1;
 };
 
 // An instance: rows of its matrices, and what its triangles look like.
@@ -150,7 +169,8 @@ struct TriangleCorners {
 #define LIGHT_SPOT 3u
 #define LIGHT_DIRECTIONAL 4u
 
-// A light that can be chosen: one emissive triangle, or a gp::Light.
+// A light that can be chosen: one emissive triangle, a gp::Light, or a triangle of a polygon, whose
+// instance is NO_INDEX and whose primitive is its place in the polygon.
 struct LightRecord {
     vec3 position;   // sphere, spot: centre; rectangle, triangle: first corner
     uint kind;

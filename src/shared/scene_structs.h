@@ -15,6 +15,7 @@ static_assert(offsetof(MaterialRecord, specular) == 80);
 static_assert(offsetof(MaterialRecord, base_color_slot) == 160);
 static_assert(sizeof(MaterialRecord) == 160 + 15 * sizeof(TextureSlot));
 static_assert(sizeof(BsdfLayerRecord) == 64);
+static_assert(sizeof(TextureLayerRecord) == 96);
 static_assert(sizeof(InstanceRecord) == 112);
 static_assert(sizeof(TriangleCorners) == 88 || sizeof(TriangleCorners) == 96);
 static_assert(sizeof(LightRecord) == 96 && offsetof(LightRecord, cos_outer) == 80);

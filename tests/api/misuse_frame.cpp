@@ -61,6 +61,10 @@ Rows frameHandleRows() {
         uint32_t count;
         return gpGetPassTimes(f, nullptr, 0, &count);
     });
+    addHandleRows<GpDevice>(rows, "gpDescribeDenoisers", "device", [](World&, GpDevice d) {
+        size_t needed;
+        return gpDescribeDenoisers(d, nullptr, 0, &needed);
+    });
     addHandleRows<GpFrame>(rows, "gpReadFrameLayer", "frame", [](World&, GpFrame f) {
         float pixel[4];
         return gpReadFrameLayer(f, "motion", pixel, sizeof pixel);
@@ -131,6 +135,11 @@ Rows frameRows() {
                         float pixels[16];
                         return gpReadFrameImage(f, GP_IMAGE_VARIANCE, pixels, sizeof pixels);
                     }),
+        {"gpDescribeDenoisers", "a buffer that is too small", GP_ERROR_INVALID_OPERATION,
+         "size is 3", [](World& w) {
+             char text[3];
+             return gpDescribeDenoisers(w.device, text, sizeof text, nullptr);
+         }},
         {"gpGetFrameLayerInfo", "behind the last", GP_ERROR_OUT_OF_RANGE, "index is 1000",
          [](World&) {
              const char *name, *meaning;

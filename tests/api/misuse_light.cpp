@@ -54,8 +54,8 @@ Row skyRow(const char* what, GpError expected, const char* message, float azimut
 }
 
 void addLightFieldRows(Rows& rows) {
-    add(rows, "unknown kind", GP_ERROR_INVALID_ARGUMENT, "kind is 4", GP_LIGHT_SPHERE,
-        [](GpLightDesc& d) { d.kind = anyEnum<GpLightKind>(4); });
+    add(rows, "unknown kind", GP_ERROR_INVALID_ARGUMENT, "kind is 5", GP_LIGHT_SPHERE,
+        [](GpLightDesc& d) { d.kind = anyEnum<GpLightKind>(5); });
     add(rows, "unknown unit", GP_ERROR_INVALID_ARGUMENT, "unit is 4", GP_LIGHT_SPHERE,
         [](GpLightDesc& d) { d.unit = anyEnum<GpLightUnit>(4); });
     add(rows, "the power of the sun", GP_ERROR_INVALID_ARGUMENT, "unit is a power",

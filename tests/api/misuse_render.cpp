@@ -93,6 +93,34 @@ void addRealtimeRows(Rows& rows) {
                     [](GpRenderOptions& o) { o.realtime.renderScale = 0.4f; }),
         realtimeRow("a scale that is no number", GP_ERROR_NOT_FINITE, "renderScale",
                     [](GpRenderOptions& o) { o.realtime.renderScale = nanf; }),
+        realtimeRow("unknown denoiser", GP_ERROR_INVALID_ARGUMENT, "denoiser is 4",
+                    [](GpRenderOptions& o) { o.realtime.denoiser = anyEnum<GpDenoiser>(4); }),
+        realtimeRow("unknown light reuse", GP_ERROR_INVALID_ARGUMENT, "lightReuse is 3",
+                    [](GpRenderOptions& o) { o.realtime.lightReuse = anyEnum<GpLightReuse>(3); }),
+        realtimeRow("parameters that are not there", GP_ERROR_INVALID_ARGUMENT,
+                    "parameters is NULL",
+                    [](GpRenderOptions& o) { o.realtime.parameterCount = 1; }),
+        realtimeRow("a parameter without name", GP_ERROR_INVALID_ARGUMENT,
+                    "parameters[0].name is NULL", [](GpRenderOptions& o) {
+                        static const GpDenoiserParameter nameless{};
+                        o.realtime.parameters = &nameless, o.realtime.parameterCount = 1;
+                    }),
+        realtimeRow("an unknown parameter", GP_ERROR_INVALID_ARGUMENT,
+                    "did you mean filter_depth?", [](GpRenderOptions& o) {
+                        static const GpDenoiserParameter p{"filter_dept", 1};
+                        o.realtime.parameters = &p, o.realtime.parameterCount = 1;
+                    }),
+        realtimeRow("a parameter out of range", GP_ERROR_OUT_OF_RANGE, "reuse_candidates, is 99",
+                    [](GpRenderOptions& o) {
+                        static const GpDenoiserParameter p{"reuse_candidates", 99};
+                        o.realtime.parameters = &p, o.realtime.parameterCount = 1;
+                    }),
+        realtimeRow("time that runs back", GP_ERROR_OUT_OF_RANGE, "timeStep is -1",
+                    [](GpRenderOptions& o) { o.realtime.timeStep = -1; }),
+        realtimeRow("an eye that never adapts", GP_ERROR_NOT_FINITE, "eyeAdaptation.seconds",
+                    [](GpRenderOptions& o) { o.realtime.eyeAdaptation.seconds = nanf; }),
+        realtimeRow("an eye without range", GP_ERROR_OUT_OF_RANGE, "above evMax",
+                    [](GpRenderOptions& o) { o.realtime.eyeAdaptation.evMin = 1; }),
         realtimeRow("unknown anti-aliasing", GP_ERROR_INVALID_ARGUMENT, "antiAliasing is 3",
                     [](GpRenderOptions& o) {
                         o.realtime.antiAliasing = anyEnum<GpAntiAliasing>(3);

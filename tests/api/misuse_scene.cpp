@@ -147,6 +147,10 @@ Rows sceneRows() {
              options.scene = 4000000000u;
              return gpLoadSceneFile(w.scene, "nowhere.glb", &options);
          }},
+        {"gpSetSceneTime", "a time that is infinite", GP_ERROR_NOT_FINITE, "time is inf",
+         [](World& w) { return gpSetSceneTime(w.scene, double(inf), nullptr); }},
+        {"gpSetSceneTime", "nothing that plays", GP_ERROR_INVALID_OPERATION, "playable",
+         [](World& w) { return gpSetSceneTime(w.scene, 1, nullptr); }},
         {"gpGetSceneInfo", "no place for it", GP_ERROR_INVALID_ARGUMENT, "info is NULL",
          [](World& w) { return gpGetSceneInfo(w.scene, nullptr); }},
         {"gpDescribeScene", "no text for a size", GP_ERROR_INVALID_ARGUMENT, "text is NULL",
@@ -165,6 +169,8 @@ Rows sceneRows() {
     addHandleRows<GpScene>(rows, "gpLoadSceneFile", "scene", [](World&, GpScene s) {
         return gpLoadSceneFile(s, "nowhere.glb", nullptr);
     });
+    addHandleRows<GpScene>(rows, "gpSetSceneTime", "scene",
+                           [](World&, GpScene s) { return gpSetSceneTime(s, 0, nullptr); });
     addHandleRows<GpScene>(rows, "gpGetSceneInfo", "scene", [](World&, GpScene s) {
         GpSceneInfo info;
         return gpGetSceneInfo(s, &info);

@@ -26,6 +26,99 @@ Row fileRow(const char* what, GpError expected, const char* message, const char*
             }};
 }
 
+Row updateRow(const char* what, GpError expected, const char* message,
+              void (*change)(GpTextureUpdate&)) {
+    return {"gpUpdateTexture", what, expected, message, [change](World& w) {
+                GpTextureUpdate update{};
+                update.width = update.height = 2;
+                update.pixels = textureDesc().pixels;
+                change(update);
+                return gpUpdateTexture(w.texture, &update);
+            }};
+}
+
+Rows updateRows() {
+    Rows rows = {
+        {"gpUpdateTexture", "no descriptor", GP_ERROR_INVALID_ARGUMENT, "update is NULL",
+         [](World& w) { return gpUpdateTexture(w.texture, nullptr); }},
+        updateRow("no width", GP_ERROR_INVALID_ARGUMENT, "width is 0",
+                  [](GpTextureUpdate& u) { u.width = 0; }),
+        updateRow("no height", GP_ERROR_INVALID_ARGUMENT, "height is 0",
+                  [](GpTextureUpdate& u) { u.height = 0; }),
+        updateRow("a larger picture", GP_ERROR_OUT_OF_RANGE, "x 0 and width 3 end past",
+                  [](GpTextureUpdate& u) { u.width = 3; }),
+        updateRow("beside the picture", GP_ERROR_OUT_OF_RANGE, "y 1 and height 2 end past",
+                  [](GpTextureUpdate& u) { u.y = 1; }),
+        updateRow("numbers that overflow", GP_ERROR_OUT_OF_RANGE, "x 1 and width 4294967295",
+                  [](GpTextureUpdate& u) { u.x = 1, u.width = UINT32_MAX; }),
+        updateRow("another format", GP_ERROR_INVALID_ARGUMENT, "GP_FORMAT_RGBA8",
+                  [](GpTextureUpdate& u) { u.format = GP_FORMAT_RGBA32F; }),
+        updateRow("unknown format", GP_ERROR_INVALID_ARGUMENT, "format is 2",
+                  [](GpTextureUpdate& u) { u.format = anyEnum<GpPixelFormat>(2); }),
+        updateRow("no pixels", GP_ERROR_INVALID_ARGUMENT, "pixels is NULL",
+                  [](GpTextureUpdate& u) { u.pixels = nullptr; }),
+        updateRow("rows shorter than the pixels", GP_ERROR_OUT_OF_RANGE, "rowBytes is 7",
+                  [](GpTextureUpdate& u) { u.rowBytes = 7; }),
+        updateRow("rows that overflow", GP_ERROR_TOO_LARGE, "more than memory",
+                  [](GpTextureUpdate& u) { u.rowBytes = SIZE_MAX / 2; }),
+        {"gpUpdateTexture", "a pixel that is NaN", GP_ERROR_NOT_FINITE, "row 1 of pixels[2] is nan",
+         [](World& w) {
+             float pixels[8] = {0, 0, 0, 1, 0, 0, 0, 1};
+             GpTextureDesc desc{};
+             desc.width = 1, desc.height = 2, desc.format = GP_FORMAT_RGBA32F;
+             desc.pixels = pixels;
+             const GpTexture texture = gpNewTexture(w.device, &desc);
+             pixels[6] = nan;
+             GpTextureUpdate update{};
+             update.width = 1, update.height = 2, update.format = GP_FORMAT_RGBA32F;
+             update.pixels = pixels;
+             return gpUpdateTexture(texture, &update);
+         }},
+    };
+    addHandleRows<GpTexture>(rows, "gpUpdateTexture", "texture", [](World&, GpTexture t) {
+        GpTextureUpdate update{};
+        update.width = update.height = 2;
+        update.pixels = textureDesc().pixels;
+        return gpUpdateTexture(t, &update);
+    });
+    return rows;
+}
+
+Row overridesRow(const char* what, GpError expected, const char* message,
+                 void (*change)(GpTextureOverrides&)) {
+    return {"gpSetTextureOverrides", what, expected, message, [change](World& w) {
+                GpTextureOverrides overrides{};
+                overrides.folder = w.folder.c_str();
+                change(overrides);
+                return gpSetTextureOverrides(w.device, &overrides);
+            }};
+}
+
+Rows overridesRows() {
+    Rows rows = {
+        overridesRow("no folder", GP_ERROR_INVALID_ARGUMENT, "folder is NULL",
+                     [](GpTextureOverrides& o) { o.folder = nullptr; }),
+        overridesRow("a folder that is not there", GP_ERROR_FILE_NOT_FOUND, "nowhere: there is no",
+                     [](GpTextureOverrides& o) { o.folder = "nowhere"; }),
+        overridesRow("a postfix twice", GP_ERROR_INVALID_ARGUMENT, "postfixes are the same",
+                     [](GpTextureOverrides& o) { o.albedoPostfix = "_n"; }),
+        {"gpNewTexture", "a broken file in its place", GP_ERROR_FILE_INVALID,
+         "gp_misuse_broken_albedo.png", [](World& w) {
+             std::ofstream(w.folder + "gp_misuse_broken_albedo.png") << "\x89PNG\r\n\x1a\n";
+             GpTextureOverrides overrides{};
+             overrides.folder = w.folder.c_str();
+             gpSetTextureOverrides(w.device, &overrides);
+             GpTextureDesc desc = textureDesc();
+             desc.name = "gp_misuse_broken";
+             return made(gpNewTexture(w.device, &desc));
+         }},
+    };
+    addHandleRows<GpDevice>(rows, "gpSetTextureOverrides", "device", [](World&, GpDevice d) {
+        return gpSetTextureOverrides(d, nullptr);
+    });
+    return rows;
+}
+
 }  // namespace
 
 Rows textureRows() {
@@ -95,6 +188,8 @@ Rows textureRows() {
     });
     addHandleRows<GpTexture>(rows, "gpReleaseTexture", "texture",
                              [](World&, GpTexture t) { return gpReleaseTexture(t); });
+    for (const Rows& more : {updateRows(), overridesRows()})
+        rows.insert(rows.end(), more.begin(), more.end());
     return rows;
 }
 

@@ -73,6 +73,10 @@ Handles makeHandles(GpDevice device, uint64_t ids) {
     GpBsdfDesc bsdf{};
     bsdf.model = "lambert";
     h.bsdf = gpNewBsdf(device, &bsdf);
+    h.immediate = gpNewImmediate(device);
+    gpBegin(h.immediate, GP_TRIANGLES);
+    for (int i = 0; i < 3; ++i) gpVertex3f(h.immediate, float(i), float(i * i), 0);
+    gpEnd(h.immediate);
     return h;
 }
 
@@ -85,6 +89,7 @@ void release(const Handles& h) {
     EXPECT_EQ(gpReleaseFrame(h.frame), GP_SUCCESS);
     EXPECT_EQ(gpReleaseScene(h.scene), GP_SUCCESS);
     EXPECT_EQ(gpReleaseBsdf(h.bsdf), GP_SUCCESS);
+    EXPECT_EQ(gpReleaseImmediate(h.immediate), GP_SUCCESS);
 }
 
 std::string describe(GpScene scene) {
@@ -100,6 +105,14 @@ std::string statisticsOf(GpFrame frame) {
     EXPECT_EQ(gpGetFrameStatistics(frame, &s), GP_SUCCESS);
     return std::to_string(s.samplesPerPixel) + " " + std::to_string(s.noise) + " " +
            std::to_string(s.secondsRender) + " " + std::to_string(s.frameBytes);
+}
+
+std::string vertexOf(GpImmediate immediate) {
+    GpMeshDesc d{};
+    EXPECT_EQ(gpGetImmediateMesh(immediate, &d), GP_SUCCESS);
+    return std::to_string(d.vertexCount) + " " + std::to_string(d.indexCount) + " " +
+           std::to_string(d.positions[0]) + (d.colors ? " coloured" : "") +
+           (d.normals ? " with normals" : "") + (d.texCoords[0] ? " textured" : "");
 }
 
 }  // namespace
@@ -120,6 +133,9 @@ World::World() : folder(::testing::TempDir()) {
     staticInstance = newInstance(scene, staticMesh, 0);
     newInstance(scene, dynamicMesh, 0);
     emptyFrame = newFrame(device);
+    openImmediate = gpNewImmediate(device);
+    gpBegin(openImmediate, GP_TRIANGLES);
+    emptyImmediate = gpNewImmediate(device);
     const GpRenderOptions two = fewSamples(2);
     EXPECT_EQ(gpRender(frame, scene, nullptr, &two), GP_SUCCESS);
     gpGetError(device, nullptr);
@@ -134,7 +150,7 @@ World::~World() {
 
 std::string World::snapshot() const {
     return describe(scene) + describe(foreign.scene) + statisticsOf(frame) +
-           statisticsOf(emptyFrame);
+           statisticsOf(emptyFrame) + vertexOf(immediate);
 }
 
 }  // namespace gp::test

@@ -23,6 +23,7 @@ struct Handles {
     GpLight light = nullptr;
     GpFrame frame = nullptr;
     GpBsdf bsdf = nullptr;
+    GpImmediate immediate = nullptr;  // holds one triangle
 
     GpDevice get(GpDevice) const { return device; }
     GpTexture get(GpTexture) const { return texture; }
@@ -33,6 +34,7 @@ struct Handles {
     GpLight get(GpLight) const { return light; }
     GpFrame get(GpFrame) const { return frame; }
     GpBsdf get(GpBsdf) const { return bsdf; }
+    GpImmediate get(GpImmediate) const { return immediate; }
 };
 
 GpDevice newNullDevice();
@@ -48,6 +50,7 @@ struct World : Handles {
     Handles foreign;   // of another living device
     GpMesh staticMesh = nullptr, dynamicMesh = nullptr;
     GpInstance staticInstance = nullptr;
+    GpImmediate openImmediate = nullptr, emptyImmediate = nullptr;  // after gpBegin; nothing in it
     GpFrame emptyFrame = nullptr;  // nothing rendered yet; `frame` has 2 samples
     std::string folder;            // for files
 
@@ -122,5 +125,8 @@ Rows frameRows();
 Rows renderRows();
 Rows imageRows();
 Rows bsdfRows();
+Rows drawRows();
+Rows immediateRows();
+Rows changeRows();
 
 }  // namespace gp::test

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "io/gltf.h"
+#include "io/gltf_player.h"
 
 namespace {
 
@@ -30,6 +31,19 @@ void checkScene(const gp::Scene& scene) {
     require(b.empty() || (std::isfinite(b.lo.x) && std::isfinite(b.hi.x)));
 }
 
+// Any moment must be a scene too, or an error that leaves the one that was there.
+void play(gp::io::GltfPlayer& player, gp::Scene& scene) {
+    const size_t instances = scene.instances.size();
+    for (const double time : {0.0, 1.3, -1e9})
+        try {
+            player.prepare({time, time > 0, gp::io::allAnimations});
+            player.apply(scene);
+        } catch (const gp::io::FileError&) {
+        }
+    require(scene.instances.size() == instances);
+    checkScene(scene);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
@@ -46,8 +60,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         gp::io::GltfOptions options;
         options.time = 0.7;
         options.maxImagePixels = uint64_t(1) << 20;
-        gp::io::loadGltf(path, options, scene);
+        options.playable = true;
+        const auto player = gp::io::loadGltf(path, options, scene);
         checkScene(scene);
+        play(*player, scene);
     } catch (const gp::io::FileError&) {
         require(scene.instances.empty() && scene.sources.empty() && scene.revision == 0);
     }

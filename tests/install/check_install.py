@@ -15,6 +15,7 @@ PICTURES = {
     "dynamic_mesh": [f"frame-{n}.png" for n in range(4)],
     "load_scene": ["loaded.png"],
     "materials": ["materials.png"],
+    "overlay": ["overlay.png"],
 }
 # The smallest scene that shows something: one triangle under the example's own sky.
 SCENE = """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
@@ -167,7 +168,8 @@ def main():
     build = build_with_cmake(args, work, prefix)
     write_scene(pictures)
     arguments = {"triangle": ["triangle.png"], "wrapper": ["wrapper.png"], "dynamic_mesh": ["."],
-                 "load_scene": ["triangle.gltf", "loaded"], "materials": ["materials.png"]}
+                 "load_scene": ["triangle.gltf", "loaded"], "materials": ["materials.png"],
+                 "overlay": ["overlay.png"]}
     for example, names in PICTURES.items():
         print(run([os.path.join(build, example), *arguments[example]], cwd=pictures), end="")
         for name in names:

@@ -56,8 +56,13 @@ struct Scene {
     Stage stage{realtime()};
     GpFrame frame = stage.frame(width, height);
     std::vector<Thing> things;  // by index of the instance
+    GpRenderOptions options{};
 
-    Scene() { stage.surround(glm::vec3(1)); }
+    Scene() {
+        stage.surround(glm::vec3(1));
+        // A-SVGF lets one pixel in nine show the very point that it showed in the last frame.
+        options.realtime.denoiser = GP_DENOISER_NONE;
+    }
 
     GpMesh mesh(const Triangles& t, GpMeshKind kind) {
         GpMeshDesc desc = meshDesc(t, stage.lambert(glm::vec3(0.5f)));
@@ -76,7 +81,7 @@ struct Scene {
     }
     void render(const View& view) {
         const GpCameraDesc camera = view.desc();
-        stage.check(gpRender(frame, stage.scene, &camera, nullptr));
+        stage.check(gpRender(frame, stage.scene, &camera, &options));
     }
     std::vector<glm::vec4> layer(const char* name) {
         std::vector<glm::vec4> pixels(width * height);

@@ -89,7 +89,8 @@ struct Blocks {
 
 class RealtimeUnbiased : public ::testing::TestWithParam<Variant> {};
 
-void expectReference(const Variant& variant, bool withMirrors, int bounces) {
+void expectReference(const Variant& variant, bool withMirrors, int bounces,
+                     GpLightReuse reuse = GP_REUSE_NONE) {
     Variant reference = variant;
     reference.mode = GP_MODE_REFERENCE;
     Stage a(reference), b(variant);
@@ -105,12 +106,18 @@ void expectReference(const Variant& variant, bool withMirrors, int bounces) {
         expected.add(a.read<glm::vec4>(still, GP_IMAGE_COLOR, width * height));
     }
     const GpFrame moving = b.frame(width, height);
-    for (uint32_t i = 0; i < effort(320); ++i) {
+    // Frames that hand on light samples are not independent: then only the last of a few counts.
+    const uint32_t chain = reuse == GP_REUSE_NONE ? 1 : 5;
+    for (uint32_t i = 0; i < effort(320) * (chain > 1 ? 3u : 1u); ++i) {
         GpRenderOptions o = b.options(0);
         o.seed = i, o.maxBounces = bounces;
         o.realtime.antiAliasing = GP_AA_JITTER;
+        o.realtime.denoiser = GP_DENOISER_NONE;
+        o.realtime.lightReuse = reuse;
+        o.realtime.resetHistory = i % chain == 0;
         b.check(gpRender(moving, b.scene, &view, &o));
-        found.add(b.read<glm::vec4>(moving, GP_IMAGE_COLOR, width * height));
+        if (i % chain == chain - 1)
+            found.add(b.read<glm::vec4>(moving, GP_IMAGE_COLOR, width * height));
     }
     double sumOfSquares = 0;
     for (size_t i = 0; i < expected.sum.size(); ++i) {
@@ -141,6 +148,11 @@ TEST_P(RealtimeUnbiased, TheMeanOfFramesIsTheReference) { expectReference(GetPar
 
 // The last surface of a path has a shadow ray only; nothing may be missing for that.
 TEST_P(RealtimeUnbiased, WithOneBounce) { expectReference(GetParam(), false, 1); }
+
+// What neighbours and the past found is weighted by who could have found it.
+TEST_P(RealtimeUnbiased, WithLightReuse) {
+    expectReference(GetParam(), false, 1, GP_REUSE_UNBIASED);
+}
 
 std::vector<Variant> realtimeVariants() {
     std::vector<Variant> variants = fullVariants();

@@ -19,6 +19,9 @@ layout(std430, binding = 8) readonly buffer DensityBuffer { float environment_de
 layout(std430, binding = 9) readonly buffer CornerBuffer { vec4 corner_extras[]; };
 layout(std430, binding = 12) readonly buffer BsdfBuffer { BsdfParams bsdfs[]; };
 layout(std430, binding = 13) readonly buffer LayerBuffer { BsdfLayerRecord bsdf_layers[]; };
+layout(std430, binding = 15) readonly buffer TextureLayerBuffer {
+    TextureLayerRecord texture_layers[];
+};
 layout(std430, binding = 14) readonly buffer LocalLightingBuffer {
     LocalLightingConstants local_lighting_constants;
     BsdfParams lighting_parameters;
@@ -33,6 +36,7 @@ InstanceRecord load_instance(uint i) { return instances[i]; }
 MaterialRecord load_material(uint i) { return materials[i]; }
 BsdfParams load_bsdf(uint i) { return bsdfs[i]; }
 BsdfLayerRecord load_bsdf_layer(uint i) { return bsdf_layers[i]; }
+TextureLayerRecord load_texture_layer(uint i) { return texture_layers[i]; }
 LightRecord load_light(uint i) { return lights[i]; }
 LightTreeNode load_light_node(uint i) { return light_tree[i]; }
 TriangleCorners load_triangle(uint geometry, uint primitive) {

@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include "backend/cpu/cpu_backend.h"
+#include "backend/cpu/rasterizer.h"
 #include "scene/bsdf_settings.h"
 #include "shading/shading.h"
 
@@ -21,6 +22,9 @@ extern const LocalKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
 namespace realtime {
 extern const RealtimeKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
 }
+namespace raster {
+extern const RasterKernels kernelsX86_64, kernelsAvx2, kernelsAvx512;
+}
 
 namespace {
 
@@ -30,6 +34,8 @@ struct InstructionSet {
     const IsaKernels* kernels;
     const LocalKernels* localKernels;
     const RealtimeKernels* realtimeKernels;
+    const DenoiseKernels* denoiseKernels;
+    const RasterKernels* rasterKernels;
     const char* embreeName;
     bool here;  // this processor has it
 };
@@ -41,9 +47,12 @@ std::vector<InstructionSet> instructionSets() {
     const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
                         __builtin_cpu_supports("avx512vl");
-    return {{&kernelsAvx512, &local::kernelsAvx512, &realtime::kernelsAvx512, "avx512", avx512},
-            {&kernelsAvx2, &local::kernelsAvx2, &realtime::kernelsAvx2, "avx2", avx2},
-            {&kernelsX86_64, &local::kernelsX86_64, &realtime::kernelsX86_64, "sse2", true}};
+    return {{&kernelsAvx512, &local::kernelsAvx512, &realtime::kernelsAvx512,
+             &denoise::kernelsAvx512, &raster::kernelsAvx512, "avx512", avx512},
+            {&kernelsAvx2, &local::kernelsAvx2, &realtime::kernelsAvx2, &denoise::kernelsAvx2,
+             &raster::kernelsAvx2, "avx2", avx2},
+            {&kernelsX86_64, &local::kernelsX86_64, &realtime::kernelsX86_64,
+             &denoise::kernelsX86_64, &raster::kernelsX86_64, "sse2", true}};
 }
 
 InstructionSet chooseInstructionSet(const std::string& wanted) {
@@ -116,6 +125,8 @@ CpuBackend::CpuBackend(const BackendOptions& options)
     : kernels_(*chooseInstructionSet(options.instructionSet).kernels),
       localKernels_(*chooseInstructionSet(options.instructionSet).localKernels),
       realtimeKernels_(*chooseInstructionSet(options.instructionSet).realtimeKernels),
+      denoiseKernels_(*chooseInstructionSet(options.instructionSet).denoiseKernels),
+      rasterKernels_(*chooseInstructionSet(options.instructionSet).rasterKernels),
       threads_(options.threads ? options.threads
                                : std::max(1u, std::thread::hardware_concurrency())),
       arena_(int(threads_)) {
@@ -215,10 +226,18 @@ void CpuBackend::tonemap(float exposureEv, Tonemap tonemap, FrameImages& images)
     arena_.execute([&] {
         tbb::parallel_for(size_t(0), (images.pixelCount() + run - 1) / run, [&](size_t i) {
             const size_t begin = i * run, n = std::min(run, images.pixelCount() - begin);
-            kernels_.tonemap(&images.sums[begin], &images.display[begin], n, exposureEv,
-                             uint32_t(tonemap));
+            if (images.drawn.empty())
+                kernels_.tonemap(&images.sums[begin], &images.display[begin], n, exposureEv,
+                                 uint32_t(tonemap));
+            else
+                rasterKernels_.tonemapColors(&images.drawn[begin], &images.display[begin], n,
+                                             exposureEv, uint32_t(tonemap));
         });
     });
+}
+
+void CpuBackend::rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) {
+    rasterizeDraws(rasterKernels_, arena_, images, draws);
 }
 
 }  // namespace gp::cpu

@@ -5,6 +5,8 @@
 #include <xmmintrin.h>
 
 #include "backend/cpu/cpu_scene.h"
+#include "backend/cpu/denoise_kernels.h"
+#include "backend/cpu/raster_view.h"
 
 namespace gp::cpu {
 
@@ -33,9 +35,12 @@ public:
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;
     RayCounts runRealtimePass(const RealtimeJob& job, RealtimePass pass) override;
+    void runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) override;
+    LuminanceHistogram luminanceHistogram(const RealtimeViews& images) override;
     void tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,
                          std::vector<glm::u8vec4>& display) override;
     void tonemap(float exposureEv, Tonemap tonemap, FrameImages& images) override;
+    void rasterize(const DrawImages& images, const std::vector<PlacedDraw>& draws) override;
 
     // For the benchmark: rays are noted here as they are traced; one thread only. Null: no more.
     void setRecorder(RayRecorder* recorder) { recorder_ = recorder; }
@@ -44,6 +49,8 @@ private:
     const IsaKernels& kernels_;
     const LocalKernels& localKernels_;
     const RealtimeKernels& realtimeKernels_;
+    const DenoiseKernels& denoiseKernels_;
+    const RasterKernels& rasterKernels_;
     uint32_t threads_;
     tbb::task_arena arena_;
     std::atomic<int64_t> embreeBytes_{0};  // before the device, which reports to it to its end

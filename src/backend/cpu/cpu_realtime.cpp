@@ -27,6 +27,7 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     all.previousInstances = job.motion.instances().data();
     all.previousPositions = job.motion.positions().data();
     all.currentOfPrevious = job.motion.currentOfPrevious().data();
+    all.currentLightOfPrevious = job.motion.currentLightOfPrevious().data();
     all.pass = pass;
 
     const glm::uvec2 size = job.images.size[size_t(sizes[size_t(pass)])];
@@ -47,6 +48,26 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     return counts.combine([](RayCounts a, const RayCounts& b) {
         return RayCounts{a.camera + b.camera, a.bounce + b.bounce, a.shadow + b.shadow};
     });
+}
+
+void CpuBackend::runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) {
+    constexpr int rowsAtOnce = 4;
+    const int rows = job.images.size[size_t(denoiseSize(pass.kernel))].y;
+    arena_.execute([&] {
+        tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int i) {
+            const DenormalsOff denormalsOff;
+            const int first = i * rowsAtOnce;
+            denoiseKernels_.run[size_t(pass.kernel)](
+                {&job.images, &job.constants, &job.frame.camera, &job.previousCamera,
+                 pass.parameter, first, std::min(first + rowsAtOnce, rows)});
+        });
+    });
+}
+
+LuminanceHistogram CpuBackend::luminanceHistogram(const RealtimeViews& images) {
+    LuminanceHistogram histogram{};
+    realtimeKernels_.luminanceHistogram(images, histogram.data());
+    return histogram;
 }
 
 void CpuBackend::tonemapRealtime(const RealtimeViews& images, float exposureEv, Tonemap tonemap,

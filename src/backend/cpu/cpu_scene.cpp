@@ -47,7 +47,7 @@ void CpuScene::updateMeshes(const Scene& scene) {
                                    m.colors.empty() ? nullptr : m.colors.data()});
             s.stale |= !s.scene || s.revision != m.revision;
         }
-        if (instance->surface().alphaMode != AlphaMode::opaque && !s.filtered)
+        if (instance->given()->mayPass() && !s.filtered)
             s.filtered = s.stale = true;
     }
     std::erase_if(meshes_, [](const auto& entry) { return !entry.second.used; });
@@ -106,7 +106,7 @@ void CpuScene::fillInstances(const Scene& scene) {
             r.normal_from_object[row] = sign * glm::vec4(cx[row], cy[row], cz[row], 0);
         }
         r.mirrored = sign < 0;
-        r.material = materials_.indexOf(source.surface());
+        r.material = materials_.indexOf(source);
         r.geometry = s.index;
         r.light_map = lights_.lightMap[i];
         if (source.mesh->triangles.empty()) continue;
@@ -124,8 +124,8 @@ void CpuScene::fillInstances(const Scene& scene) {
 
 // ------------------------------------------------------------------------------- lights
 
-// Sphere and rectangle lights are shapes that rays meet: four geometries after the instances, those
-// that the camera sees and those that it does not.
+// Sphere, rectangle and polygon lights are shapes that rays meet: four geometries after the
+// instances, those that the camera sees and those that it does not.
 void CpuScene::attachLights(const Scene& scene) {
     std::vector<glm::vec4> spheres[2];
     std::vector<glm::vec3> corners[2];
@@ -140,6 +140,13 @@ void CpuScene::attachLights(const Scene& scene) {
             for (glm::vec3 corner : {p, p + u, p + u + v, p, p + u + v, p + v})
                 corners[hidden].push_back(corner);
             lightOfPrimitive_[2 + hidden].insert(lightOfPrimitive_[2 + hidden].end(), 2, index);
+        } else if (light->kind == LightKind::polygon) {
+            const std::vector<glm::vec3>& p = light->corners;
+            for (size_t i = 1; i + 1 < p.size(); ++i) {
+                for (glm::vec3 corner : {p[0], p[i], p[i + 1]}) corners[hidden].push_back(corner);
+                lightOfPrimitive_[2 + hidden].push_back(index++);
+            }
+            continue;
         } else if (light->radius > 0) {
             spheres[hidden].emplace_back(light->position, light->radius);
             lightOfPrimitive_[hidden].push_back(index);

@@ -31,6 +31,7 @@ public:
     void update(const Scene& scene) override;
     uint64_t accelerationBytes() const override { return uint64_t(embreeBytes_.load()); }
     uint64_t emissiveTriangles() const override { return lights_.emissiveTriangles; }
+    const LightTable& lights() const override { return lights_; }
     const SceneView& view() const { return view_; }
 
 private:

@@ -1,10 +1,12 @@
 #include "backend/cpu/material_table.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "shading/shading.h"
 
+#include "backend/cpu/texture_view.h"
 #include "scene/bsdf_settings.h"
+#include "scene/hash.h"
 
 namespace gp::cpu {
 
@@ -27,6 +29,7 @@ void MaterialTable::show(SceneView& view) const {
     view.textures = textures_.data();
     view.bsdfs = bsdfs_->all.data();
     view.bsdfLayers = layers_.data();
+    view.textureLayers = textureLayers_.data();
 }
 
 // ------------------------------------------------------------------------------- textures
@@ -34,21 +37,7 @@ void MaterialTable::show(SceneView& view) const {
 void MaterialTable::fillUse(TextureSlot& slot, const TextureUse& use) {
     const auto [it, fresh] =
         textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
-    if (fresh) {
-        const Texture& t = *use.texture;
-        TextureView v{};
-        v.width = t.levels[0].width, v.height = t.levels[0].height;
-        v.levelCount = uint32_t(std::min<size_t>(t.levels.size(), std::size(v.levels)));
-        for (size_t i = 0; i < std::size(v.levels); ++i)
-            v.levels[i] = reinterpret_cast<const uint8_t*>(t.pixels.data()) +
-                          t.levels[std::min<size_t>(i, v.levelCount - 1)].offset;
-        v.halfLog2Texels = 0.5f * std::log2(float(v.width) * float(v.height));
-        v.isFloat = t.format == PixelFormat::rgba32f, v.isSrgb = t.colorSpace == ColorSpace::srgb;
-        v.wrapU = uint8_t(t.wrapU), v.wrapV = uint8_t(t.wrapV);
-        v.magNearest = t.magFilter == Filter::nearest,
-        v.minNearest = t.minFilter == Filter::nearest;
-        textures_.push_back(v);
-    }
+    if (fresh) textures_.push_back(textureView(*use.texture));
     slot.texture_index = it->second;
     slot.tex_coord = use.texCoord;
     const glm::mat3x2& m = use.uvTransform;
@@ -107,11 +96,11 @@ static uint32_t gltfFlags(const Material& m) {
     return flags;
 }
 
-// The stack: what does not vary over the surface is blended and prepared here, once.
-void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool vertexColors) {
+// The stack: what does not vary over the surface is blended and prepared here, once. `colored`:
+// something else than m.baseColor multiplies its base colours.
+void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colored) {
     const bool masked = std::any_of(m.layers.begin(), m.layers.end(),
                                     [](const MaterialLayer& l) { return l.mask.texture; });
-    const bool colored = vertexColors || m.baseColorTexture.texture;
     shading::BsdfParams bottom = bareBsdfParams(*m.layers[0].bsdf);
     r.first_layer = uint32_t(layers_.size());
     for (size_t i = 1; i < m.layers.size(); ++i) {
@@ -143,9 +132,32 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool vertex
     r.anisotropy = 1;  // any model may ask for tangents
 }
 
-MaterialRecord MaterialTable::recordOf(const Material& m) {
+static_assert(LAYER_OPAQUE == uint32_t(LayerBlend::opaque) &&
+              LAYER_ALPHA == uint32_t(LayerBlend::alpha) &&
+              LAYER_ADD == uint32_t(LayerBlend::add) &&
+              LAYER_SHADE == uint32_t(LayerBlend::shade));
+
+// The instance's colour tints what comes out of the layers, so it leaves the base alone; but its
+// alpha stays there, where rays look for it.
+void MaterialTable::fillTextureLayers(MaterialRecord& r, const Material& m, glm::vec4 color) {
+    if (m.textureLayers.empty()) return;
+    r.base_color = glm::vec4(glm::vec3(m.baseColor), r.base_color.w);
+    r.textures |= SLOT_LAYERS;
+    r.first_texture_layer = uint32_t(textureLayers_.size());
+    for (const TextureLayer& source : m.textureLayers) {
+        TextureLayerRecord layer{};
+        if (source.texture.texture) fillUse(layer.slot, source.texture);
+        layer.has_texture = source.texture.texture ? 1u : 0u;
+        layer.color = source.color, layer.blend = uint32_t(source.blend);
+        layer.is_last = &source == &m.textureLayers.back() ? 1u : 0u;
+        layer.tint = glm::vec3(color);
+        textureLayers_.push_back(layer);
+    }
+}
+
+MaterialRecord MaterialTable::recordOf(const Material& m, glm::vec4 color) {
     MaterialRecord r{};
-    r.base_color = m.baseColor, r.emission = m.emission, r.metallic = m.metallic;
+    r.base_color = m.baseColor * color, r.emission = m.emission, r.metallic = m.metallic;
     r.specular_color = m.specularColor, r.roughness = m.roughness;
     r.sheen_color = m.sheenColor, r.sheen_roughness = m.sheenRoughness;
     r.attenuation = m.thinWalled ? glm::vec3(0)
@@ -161,25 +173,32 @@ MaterialRecord MaterialTable::recordOf(const Material& m) {
     r.flags = commonFlags(m);
     r.model = MODEL_GLTF;
     fillSlots(r, m);
+    fillTextureLayers(r, m, color);
     return r;
+}
+
+size_t MaterialTable::KeyHash::operator()(const Key& key) const {
+    if (key.color == glm::vec4(1)) return std::hash<const Material*>()(key.material);
+    return hashBytes(&key, sizeof key);
 }
 
 void MaterialTable::fill(const Scene& scene) {
     records_.clear(), index_.clear(), owners_.clear();
     textures_.clear(), textureIndex_.clear();
-    layers_.clear(), bsdfs_->all.clear();
+    layers_.clear(), bsdfs_->all.clear(), textureLayers_.clear();
     // Colours of vertices count where any mesh of a material has them.
     std::unordered_map<const Material*, bool> vertexColors;
     for (const auto& instance : scene.instances)
         vertexColors[&instance->surface()] |= !instance->mesh->colors.empty();
     for (const auto& instance : scene.instances) {
         const Material& m = instance->surface();
-        if (!index_.try_emplace(&m, uint32_t(records_.size())).second) continue;
+        if (!index_.try_emplace(keyOf(*instance), uint32_t(records_.size())).second) continue;
         owners_.push_back(instance->surfacePtr());
-        MaterialRecord r = recordOf(m);
+        MaterialRecord r = recordOf(m, instance->color);
         if (vertexColors[&m]) r.flags |= MATERIAL_VERTEX_COLOR | MATERIAL_NEEDS_UV;
         if (m.layers.empty()) r.flags |= gltfFlags(m);
-        else fillLayers(r, m, vertexColors[&m]);
+        else fillLayers(r, m, vertexColors[&m] || m.baseColorTexture.texture ||
+                                  !m.textureLayers.empty() || instance->color != glm::vec4(1));
         records_.push_back(r);
     }
 }

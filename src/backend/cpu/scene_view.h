@@ -54,6 +54,7 @@ struct SceneView {
     const shared::MaterialRecord* materials;
     const void* bsdfs;          // shading::BsdfParams, a type of each translation unit
     const shared::BsdfLayerRecord* bsdfLayers;
+    const shared::TextureLayerRecord* textureLayers;
     const TextureView* textures;
     const shared::LightRecord* lights;        // directional ones first
     const shared::LightTreeNode* lightTree;
@@ -108,6 +109,7 @@ struct RealtimeTileJob {
     const shared::PreviousInstance* previousInstances;
     const glm::vec3* const* previousPositions;  // by instance
     const uint32_t* currentOfPrevious;
+    const uint32_t* currentLightOfPrevious;
     RealtimePass pass;
 };
 
@@ -128,6 +130,8 @@ struct LocalKernels {
 
 struct RealtimeKernels {
     TileCounts (*runTile)(const RealtimeTileJob& job);
+    // Every fourth pixel of every fourth row.
+    void (*luminanceHistogram)(const RealtimeViews& images, uint32_t* bins);
     // `count` pixels of the output image, from `first` on.
     void (*tonemap)(const RealtimeViews& images, glm::u8vec4* display, size_t first, size_t count,
                     float exposureEv, uint32_t tonemap);

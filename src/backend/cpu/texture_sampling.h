@@ -1,5 +1,5 @@
 // Reading textures on the CPU: part of the hot code, compiled for each instruction set.
-// Included inside an unnamed namespace by isa/kernels.h only.
+// Included inside an unnamed namespace by isa/kernels.h and isa/raster.inc only.
 
 // 8-bit sRGB to linear, and 8-bit to 0..1, as tables: decoding by formula costs more than the
 // texture.
@@ -41,12 +41,8 @@ inline int floorToInt(float x) {
     return float(i) > x ? i - 1 : i;
 }
 
-// lod: log2 of the footprint before the texture's own size is added; u_lod in [0, 1) chooses
-// between the two nearest levels.
-inline glm::vec4 sampleTexture(const TextureView& t, glm::vec2 uv, float lod, float uLod) {
-    const float exact = lod + t.halfLog2Texels + (t.minNearest ? 0.5f : uLod);
-    const int level = exact > 0 ? std::min(int(exact), int(t.levelCount) - 1) : 0;
-    const bool nearest = level == 0 ? t.magNearest : t.minNearest;
+// A point of one level; `uv` repeats as the texture says.
+inline glm::vec4 sampleLevel(const TextureView& t, int level, bool nearest, glm::vec2 uv) {
     const int w = std::max(1, int(t.width >> level)), h = std::max(1, int(t.height >> level));
     const uint8_t* pixels = t.levels[level];
     // Far outside, float coordinates lose the texel; whole repeats change nothing.
@@ -68,6 +64,14 @@ inline glm::vec4 sampleTexture(const TextureView& t, glm::vec2 uv, float lod, fl
     const glm::vec4 low =
         glm::mix(readTexel(t, pixels, w, x0, y1), readTexel(t, pixels, w, x1, y1), ax);
     return glm::mix(top, low, ay);
+}
+
+// lod: log2 of the footprint before the texture's own size is added; u_lod in [0, 1) chooses
+// between the two nearest levels.
+inline glm::vec4 sampleTexture(const TextureView& t, glm::vec2 uv, float lod, float uLod) {
+    const float exact = lod + t.halfLog2Texels + (t.minNearest ? 0.5f : uLod);
+    const int level = exact > 0 ? std::min(int(exact), int(t.levelCount) - 1) : 0;
+    return sampleLevel(t, level, level == 0 ? t.magNearest : t.minNearest, uv);
 }
 
 // Three mantissas of 9 bits, an exponent of 5. [EXT_texture_shared_exponent, section 3.8.1]

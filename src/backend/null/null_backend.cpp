@@ -14,6 +14,10 @@ public:
     void update(const Scene&) override {}
     uint64_t accelerationBytes() const override { return 0; }
     uint64_t emissiveTriangles() const override { return 0; }
+    const LightTable& lights() const override { return none_; }
+
+private:
+    LightTable none_;
 };
 
 class NullBackend final : public Backend {
@@ -34,6 +38,8 @@ public:
     }
 
     RayCounts runRealtimePass(const RealtimeJob&, RealtimePass) override { return {}; }
+    void runDenoisePass(const RealtimeJob&, const DenoisePass&) override {}
+    LuminanceHistogram luminanceHistogram(const RealtimeViews&) override { return {}; }
     void tonemapRealtime(const RealtimeViews&, float, Tonemap,
                          std::vector<glm::u8vec4>& display) override {
         std::fill(display.begin(), display.end(), glm::u8vec4(0, 0, 0, 255));
@@ -42,6 +48,7 @@ public:
     void tonemap(float, Tonemap, FrameImages& images) override {
         std::fill(images.display.begin(), images.display.end(), glm::u8vec4(0, 0, 0, 255));
     }
+    void rasterize(const DrawImages&, const std::vector<PlacedDraw>&) override {}
 };
 
 }  // namespace

@@ -13,9 +13,17 @@ uint pack_material(IN(PixelMaterial) m) {
            ((m.flags & 255u) << 16u) | (min(m.mirrors, 255u) << 24u);
 }
 
+// The bits that tell surfaces apart: sky, unlit, first person, mirrors on the way. Roughness and
+// metallic vary over one surface, and whether its past is known says nothing.
+#define MATERIAL_SURFACE_BITS 0xFF0D0000u
+
+float material_roughness(uint bits) {
+    return float(bits & 255u) * (1.0f / 255.0f);
+}
+
 PixelMaterial unpack_material(uint bits) {
     PixelMaterial m;
-    m.roughness = float(bits & 255u) * (1.0f / 255.0f);
+    m.roughness = material_roughness(bits);
     m.metallic = float((bits >> 8u) & 255u) * (1.0f / 255.0f);
     m.flags = (bits >> 16u) & 255u;
     m.mirrors = bits >> 24u;

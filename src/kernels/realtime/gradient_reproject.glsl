@@ -4,10 +4,10 @@
 // Temporal Filtering", section 4.1; the pixels look for their past, as Q2RTX does, instead of the
 // past for its pixels.
 // Resources: load_previous_… of hit, barycentrics, depth, normal, material, luma;
-// load_current_instance; store_gradient_sample; and those of primary.glsl.
+// load_current_instance; store_gradient_sample; and those of pixel_surface.glsl.
 #ifndef GP_KERNELS_REALTIME_GRADIENT_REPROJECT_GLSL
 #define GP_KERNELS_REALTIME_GRADIENT_REPROJECT_GLSL
-#include "kernels/realtime/primary.glsl"
+#include "kernels/realtime/pixel_surface.glsl"
 
 #define GRADIENT_DEPTH_ERROR 0.1f    // relative
 #define GRADIENT_NORMAL_COSINE 0.9f
@@ -53,34 +53,24 @@ PastPixel find_past_pixel(ivec2 pixel) {
 
 // The pixel shows the very point that `past` showed, where it is now.
 void repeat_surface(ivec2 pixel, ivec2 past) {
-    LET_REF(CameraParams) camera = load_camera();
-    LET_REF(RealtimeConstants) r = load_realtime();
-    uvec2 shown = load_previous_hit(past);
-    vec2 bary = unpack_barycentrics(load_previous_barycentrics(past));
-    Hit hit;
-    hit.t = 0.0f;
-    hit.u = bary.x;
-    hit.v = bary.y;
-    hit.instance = load_current_instance(shown.x);
-    hit.primitive = shown.y;
-    bool diffuse = load_frame().diffuse_shading != 0u;
-    LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
-    RayCone cone = camera_ray_cone(camera, float(r.size.y));
-    vec3 towards = -octahedral_decode(load_view(pixel));
-    cone = ray_cone_propagate(cone, load_depth(pixel));
-    Surface s = load_surface(hit, towards, cone, surface_needs(material, diffuse));
-    vec3 wo = camera.kind == CAMERA_ORTHOGRAPHIC ? -towards
-                                                 : normalize(camera.position - s.position);
-    if ((dot(s.ng, wo) >= 0.0f ? 1u : 0u) != s.front) { return; }
-    Sampler draws = realtime_draws(past, r.frame_index - 1u);
+    Sampler draws = realtime_draws(past, load_realtime().frame_index - 1u);
     draws.dimension = CAMERA_DRAWS;
-    float u_lod = draw_at(draws, 0u, DRAW_OTHERS).x;
-    ShadingPoint p = load_shading_point(material, s, wo, u_lod, diffuse);
+    Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
+    hit.instance = load_current_instance(hit.instance);
+    LET_REF(CameraParams) camera = load_camera();
+    vec3 wo = camera.kind == CAMERA_ORTHOGRAPHIC
+                  ? -camera.forward : normalize(camera.position - surface_position(hit));
+    PixelSurface at = pixel_surface(hit, wo, load_depth(pixel),
+                                    draw_at(draws, 0u, DRAW_OTHERS).x);
+    // What has turned away is not what the camera sees there.
+    if ((dot(at.s.ng, octahedral_decode(load_view(pixel))) >= 0.0f ? 1u : 0u) != at.s.front) {
+        return;
+    }
     PixelView seen;
     seen.image = mirror_image_identity();
-    seen.emission = shown_emission(p);
+    seen.emission = shown_emission(at.p);
     seen.mirrors = 0u;
-    store_surface(pixel, seen, hit, s, p, wo, vec3(1.0f));
+    store_surface(pixel, seen, hit, at.s, at.p, wo, vec3(1.0f));
 }
 
 // Bits 0-3: 1 + the pixel's number in its block, 0: none; bits 4-17 and 18-31: x and y of the past

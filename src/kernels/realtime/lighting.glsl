@@ -2,11 +2,12 @@
 // light, one to any other light, and one ray by the material, whose path goes on as the
 // reference's does. What they bring is kept in three channels: diffuse light of lamps and sky,
 // diffuse light of surfaces, and all else.
-// Resources: load_… of the G-buffer and gradient_sample, store_… of the channels and luma, and
-// those of primary.glsl.
+// Resources: load_gradient_sample, store_… of the channels and luma, note_draws, and those of
+// pixel_surface.glsl and light_reuse.glsl.
 #ifndef GP_KERNELS_REALTIME_LIGHTING_GLSL
 #define GP_KERNELS_REALTIME_LIGHTING_GLSL
-#include "kernels/realtime/primary.glsl"
+#include "kernels/realtime/light_reuse.glsl"
+#include "kernels/realtime/pixel_surface.glsl"
 #include "shading/ycocg.glsl"
 
 // Draws of lighting start here, behind those of the longest way through mirrors.
@@ -14,19 +15,9 @@
 #define DRAW_SUN_CHOICE 0u  // before those of the path's vertices
 #define DRAW_SUN 1u
 #define LIGHTING_OWN_DRAWS 2u
+#define REUSE_DRAWS 192u    // of light reuse, behind those of any path
 
 #define SKY_DISTANCE 65504.0f  // of what a specular ray shows, where that is the sky
-
-// A surface read back from the G-buffer.
-struct PixelSurface {
-    Surface s;
-    ShadingPoint p;
-    vec3 wo;
-    vec3 wo_local;
-    vec3 throughput;
-    vec3 inv_albedo;           // 0 where there is no albedo
-    vec3 inv_specular_albedo;
-};
 
 // Radiance over albedo.
 struct PixelLight {
@@ -36,37 +27,6 @@ struct PixelLight {
     vec3 specular;
     float specular_distance;
 };
-
-vec3 inverse_or_zero(vec3 v) {
-    return vec3(v.x > 0.0f ? 1.0f / v.x : 0.0f, v.y > 0.0f ? 1.0f / v.y : 0.0f,
-                v.z > 0.0f ? 1.0f / v.z : 0.0f);
-}
-
-PixelSurface load_pixel_surface(ivec2 pixel, IN(Sampler) primary_draws, uint mirrors) {
-    LET_REF(RealtimeConstants) r = load_realtime();
-    PixelSurface at;
-    uvec2 shown = load_hit(pixel);
-    vec2 bary = unpack_barycentrics(load_barycentrics(pixel));
-    Hit hit;
-    hit.t = 0.0f;
-    hit.u = bary.x;
-    hit.v = bary.y;
-    hit.instance = shown.x;
-    hit.primitive = shown.y;
-    at.wo = octahedral_decode(load_view(pixel));
-    bool diffuse = load_frame().diffuse_shading != 0u;
-    LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
-    RayCone cone = ray_cone_propagate(camera_ray_cone(load_camera(), float(r.size.y)),
-                                      load_depth(pixel));
-    at.s = load_surface(hit, -at.wo, cone, surface_needs(material, diffuse));
-    float u_lod = draw_at(primary_draws, mirrors, DRAW_OTHERS).x;
-    at.p = load_shading_point(material, at.s, at.wo, u_lod, diffuse);
-    at.wo_local = local_from_world(at.p.frame, at.wo);
-    at.throughput = vec3(load_throughput(pixel));
-    at.inv_albedo = inverse_or_zero(vec3(load_albedo(pixel)));
-    at.inv_specular_albedo = inverse_or_zero(vec3(load_specular_albedo(pixel)));
-    return at;
-}
 
 // Adds light that arrives from wi: `f` is what the surface reflects of it, over any density.
 PixelLight add_direct(PixelLight sum, IN(PixelSurface) at, vec3 wi_local, vec3 f, float inv_pdf,
@@ -79,15 +39,37 @@ PixelLight add_direct(PixelLight sum, IN(PixelSurface) at, vec3 wi_local, vec3 f
     return sum;
 }
 
-// One shadow ray, to a light of `groups`.
-PixelLight add_shadow_ray(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex,
-                          IN(LightGroups) groups, float u_choice, vec2 u) {
-    ChosenLight choice =
-        choose_light_point(groups, vertex.position, vertex.normal, u_choice, u);
+PixelLight add_shadow_ray(PixelLight sum, IN(PixelSurface) at, IN(ChosenLight) choice,
+                          float resampled) {
     ShadowedLight arrived =
-        shadowed_light(at.s, at.p, choice, at.wo_local, at.wo, vec3(0.0f), true);
+        shadowed_light(at.s, at.p, choice, at.wo_local, at.wo, vec3(0.0f), true, resampled);
     if (arrived.light == vec3(0.0f)) { return sum; }
     return add_direct(sum, at, arrived.wi_local, arrived.f_cos, 1.0f, arrived.light);
+}
+
+// The shadow ray to a light that is not directional, by what pixels have found so far. `past`
+// repeats a pixel of the last frame where that is not negative.
+PixelLight add_resampled_ray(PixelLight sum, ivec2 pixel, ivec2 past, IN(PixelSurface) at,
+                             IN(PathVertex) vertex, Sampler draws) {
+    draws.dimension = REUSE_DRAWS;
+    Reservoir reservoir;
+    if (past.x >= 0) {
+        reservoir = past_reservoir(past);
+    } else {
+        reservoir = resampled_light(pixel, at, vertex, draws);
+    }
+    if (reservoir.light == NO_INDEX || !(reservoir.weight > 0.0f)) {
+        keep_reservoir(pixel, reservoir, true);
+        return sum;
+    }
+    LightChoice choice;
+    choice.light = reservoir.light;
+    choice.pmf = 1.0f;
+    ChosenLight chosen = chosen_light_point(choice, vertex.position, reservoir.u);
+    PixelLight next = add_shadow_ray(sum, at, chosen, reservoir.weight);
+    bool visible = next.direct != sum.direct || next.specular != sum.specular;
+    keep_reservoir(pixel, reservoir, visible);
+    return next;
 }
 
 // The ray by the material, and the path behind it.
@@ -116,7 +98,7 @@ PixelLight add_bounce(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex
     return sum;
 }
 
-PixelLight pixel_light(IN(PixelSurface) at, Sampler draws) {
+PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler draws) {
     PixelLight sum;
     sum.direct = vec3(0.0f);
     sum.indirect = vec3(0.0f);
@@ -126,17 +108,29 @@ PixelLight pixel_light(IN(PixelSurface) at, Sampler draws) {
     bool transmissive = (at.p.flags & MATERIAL_TRANSMISSIVE) != 0u;
     PathVertex vertex = path_vertex(at.s, at.wo, transmissive);
     vertex.groups = light_groups_apart(vertex.groups);
+    bool reuse = load_realtime().light_reuse != LIGHT_REUSE_NONE;
+    vertex.groups.resampled = reuse ? 1u : 0u;
     Sampler own = draws;
     own.dimension = LIGHTING_DRAWS;
     draws.dimension = LIGHTING_DRAWS + LIGHTING_OWN_DRAWS;
     vec2 u_choices = draw_at(draws, 0u, DRAW_CHOICES);
     if (!bsdf_is_specular(at.p.bsdf)) {
         if (vertex.groups.directional > 0.0f) {
-            sum = add_shadow_ray(sum, at, vertex, light_groups_directional(vertex.groups),
-                                 draw_at(own, 0u, DRAW_SUN_CHOICE).x, draw_at(own, 0u, DRAW_SUN));
+            ChosenLight sun = choose_light_point(
+                light_groups_directional(vertex.groups), vertex.position, vertex.normal,
+                draw_at(own, 0u, DRAW_SUN_CHOICE).x, draw_at(own, 0u, DRAW_SUN));
+            sum = add_shadow_ray(sum, at, sun, 0.0f);
         }
-        sum = add_shadow_ray(sum, at, vertex, light_groups_others(vertex.groups), u_choices.x,
-                             draw_at(draws, 0u, DRAW_LIGHT));
+        if (reuse) {
+            sum = add_resampled_ray(sum, pixel, past, at, vertex, draws);
+        } else {
+            ChosenLight other = choose_light_point(
+                light_groups_others(vertex.groups), vertex.position, vertex.normal, u_choices.x,
+                draw_at(draws, 0u, DRAW_LIGHT));
+            sum = add_shadow_ray(sum, at, other, 0.0f);
+        }
+    } else if (reuse) {
+        keep_reservoir(pixel, reservoir_empty(), true);
     }
     BsdfSample b =
         bsdf_sample(at.p.bsdf, at.wo_local, u_choices.y, draw_at(draws, 0u, DRAW_BSDF));
@@ -177,23 +171,27 @@ void realtime_light(ivec2 pixel) {
     none.specular_distance = SKY_DISTANCE;
     if ((m.flags & (REALTIME_SKY | REALTIME_UNLIT)) != 0u) {
         store_pixel_light(pixel, none);
+        if (r.light_reuse != LIGHT_REUSE_NONE) { keep_reservoir(pixel, reservoir_empty(), true); }
         return;
     }
     ivec2 drawing = pixel;
+    ivec2 past = ivec2(-1);
     uint frame_index = r.frame_index;
     if (r.repeats_draws != 0u) {
         ivec2 block = pixel / 3;
         uint code = load_gradient_sample(block);
         ivec2 inside = pixel - block * 3;
         if ((code & 15u) == uint(1 + inside.x + 3 * inside.y)) {
-            drawing = ivec2(int((code >> 4u) & 16383u), int(code >> 18u));
+            past = ivec2(int((code >> 4u) & 16383u), int(code >> 18u));
+            drawing = past;
             frame_index -= 1u;
         }
     }
     Sampler draws = realtime_draws(drawing, frame_index);
     draws.dimension = CAMERA_DRAWS;
     note_draws(draws);
-    store_pixel_light(pixel, pixel_light(load_pixel_surface(pixel, draws, m.mirrors), draws));
+    store_pixel_light(
+        pixel, pixel_light(pixel, past, load_pixel_surface(pixel, draws, m.mirrors), draws));
 }
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef GP_KERNELS_REALTIME_PRIMARY_GLSL
 #define GP_KERNELS_REALTIME_PRIMARY_GLSL
 #include "kernels/path.glsl"
+#include "kernels/primary.glsl"
 #include "kernels/realtime/gbuffer.glsl"
 #include "kernels/realtime/motion.glsl"
 #include "shading/bsdf/diffuse_part.glsl"

@@ -101,6 +101,23 @@ struct FormatHALF4 {
     static constexpr size_t bytes = 8;
 };
 
+// Halves without sign and the lowest bits; so cut, they never become more than they were.
+struct FormatPOSITIVE3 {
+    using Value = vec4;
+    static vec4 read(const std::byte* p) {
+        const uint u = *reinterpret_cast<const uint*>(p);
+        return vec4(floatFromHalf(uint16_t((u & 0x7FFu) << 4)),
+                    floatFromHalf(uint16_t((u >> 11 & 0x7FFu) << 4)),
+                    floatFromHalf(uint16_t(u >> 22 << 5)), 0.0f);
+    }
+    static void write(std::byte* p, vec4 v) {
+        const uint x = halfFromFloat(std::max(0.0f, v.x)), y = halfFromFloat(std::max(0.0f, v.y)),
+                   z = halfFromFloat(std::max(0.0f, v.z));
+        *reinterpret_cast<uint*>(p) = x >> 4 | y >> 4 << 11 | z >> 5 << 22;
+    }
+    static constexpr size_t bytes = 4;
+};
+
 struct FormatUNORM4 {
     using Value = vec4;
     static vec4 read(const std::byte* p) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "backend/cpu/scene_view.h"
+#include "frame/camera_params.h"
 #include "scene/camera.h"
 #include "shading/shading.h"
 
@@ -49,6 +50,7 @@ struct Kernels {
     const MaterialRecord& load_material(uint i) { return view.materials[i]; }
     const BsdfParams& load_bsdf(uint i) { return static_cast<const BsdfParams*>(view.bsdfs)[i]; }
     const BsdfLayerRecord& load_bsdf_layer(uint i) { return view.bsdfLayers[i]; }
+    const TextureLayerRecord& load_texture_layer(uint i) { return view.textureLayers[i]; }
     const LightRecord& load_light(uint i) { return view.lights[i]; }
     const LightTreeNode& load_light_node(uint i) { return view.lightTree[i]; }
     uint load_light_of_triangle(uint instance, uint primitive) {
@@ -159,6 +161,7 @@ struct Kernels {
 using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
 
+#include "backend/cpu/isa/camera_params.h"
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"
 

@@ -1,0 +1,67 @@
+#include "animate/animate_settings.h"
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "tool_error.h"
+
+namespace gp::tool {
+namespace {
+
+constexpr std::uint32_t kMaxFrames = 1u << 20;
+
+}  // namespace
+
+void addMotionOptions(CLI::App& app, AnimateSettings& s) {
+    const std::string group = "Motion";
+    addWord(app, "--frames", "N", "How many frames there are, numbered from 0",
+            [&s](const std::string& word) {
+                s.frames =
+                    static_cast<std::uint32_t>(parseInteger("--frames", word, 1, kMaxFrames));
+            })->required()->group(group);
+    addWord(app, "--fps", "F", "Frames a second (default 24)",
+            [&s](const std::string& word) {
+                s.framesPerSecond = parseNumber("--fps", word, 0.01, 1000);
+            })->group(group);
+    addWord(app, "--path", "orbit|FILE|CAMERA",
+            "How the camera moves: around the scene, by the keys of FILE.json, or as a camera of "
+            "the file, by name or number (default: as in `render`; the file's camera moves with "
+            "the file)",
+            [&s](const std::string& word) { s.path = word; })->group(group);
+    addWord(app, "--orbit-period", "S",
+            "Seconds of one orbit, counter-clockwise from above; negative: clockwise (default: the "
+            "whole clip)",
+            [&s](const std::string& word) {
+                s.orbitPeriod = parseNumber("--orbit-period", word);
+                if (*s.orbitPeriod == 0) {
+                    throw UsageError("--orbit-period: 0 seconds are no period");
+                }
+            })->group(group);
+    addWord(app, "--orbit-height", "M",
+            "Metres of the orbit above its centre (default: as the camera that shows the scene)",
+            [&s](const std::string& word) {
+                s.orbitHeight = parseNumber("--orbit-height", word);
+            })->group(group);
+    app.add_flag("--hold", s.hold,
+                 "Animations of the file hold still when they are over, instead of starting again")
+        ->group(group);
+}
+
+void checkMotion(const AnimateSettings& s) {
+    if (!s.orbits() && (s.orbitPeriod || s.orbitHeight)) {
+        throw UsageError(fmt::format("{}: needs --path orbit",
+                                     s.orbitPeriod ? "--orbit-period" : "--orbit-height"));
+    }
+    if (s.path.empty()) {
+        return;
+    }
+    if (!s.render.camera.empty()) {
+        throw UsageError("--camera: not together with --path");
+    }
+    if (!s.orbits() && (s.render.from || s.render.lookAt)) {
+        throw UsageError(fmt::format("{}: beside --path only for orbits",
+                                     s.render.from ? "--from" : "--look-at"));
+    }
+}
+
+}  // namespace gp::tool

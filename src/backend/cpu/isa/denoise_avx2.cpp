@@ -1,0 +1,2 @@
+#define GP_ISA_SYMBOL kernelsAvx2
+#include "backend/cpu/isa/denoise.inc"

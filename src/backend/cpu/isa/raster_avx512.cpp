@@ -1,0 +1,2 @@
+#define GP_ISA_SYMBOL kernelsAvx512
+#include "backend/cpu/isa/raster.inc"

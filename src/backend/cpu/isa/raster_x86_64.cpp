@@ -1,0 +1,2 @@
+#define GP_ISA_SYMBOL kernelsX86_64
+#include "backend/cpu/isa/raster.inc"

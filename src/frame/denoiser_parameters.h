@@ -1,0 +1,24 @@
+// What of the denoisers, light reuse and anti-aliasing a person may turn
+// (shared/denoiser_parameters.def).
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace gp {
+
+struct DenoiserParameters {
+#define X(name, initial, minimum, maximum, text) float name = initial;
+#include "shared/denoiser_parameters.def"
+#undef X
+};
+
+struct DenoiserParameterInfo {
+    const char* name;
+    float initial, minimum, maximum;
+    const char* text;
+    float DenoiserParameters::* member;
+};
+std::span<const DenoiserParameterInfo> denoiserParameters();
+
+}  // namespace gp

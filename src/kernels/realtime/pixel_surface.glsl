@@ -1,0 +1,78 @@
+// The surface that a pixel shows, read back from the G-buffer.
+// Resources: load_… of the G-buffer, load_previous_hit, load_previous_barycentrics,
+// load_previous_depth, and those of primary.glsl.
+#ifndef GP_KERNELS_REALTIME_PIXEL_SURFACE_GLSL
+#define GP_KERNELS_REALTIME_PIXEL_SURFACE_GLSL
+#include "kernels/realtime/primary.glsl"
+
+struct PixelSurface {
+    Surface s;
+    ShadingPoint p;
+    vec3 wo;
+    vec3 wo_local;
+    vec3 throughput;
+    vec3 inv_albedo;           // 0 where there is no albedo
+    vec3 inv_specular_albedo;
+    uint exists;               // 0: nothing of the rest is set
+};
+
+vec3 inverse_or_zero(vec3 v) {
+    return vec3(v.x > 0.0f ? 1.0f / v.x : 0.0f, v.y > 0.0f ? 1.0f / v.y : 0.0f,
+                v.z > 0.0f ? 1.0f / v.z : 0.0f);
+}
+
+Hit hit_of_pixel(uvec2 shown, uint barycentrics) {
+    vec2 bary = unpack_barycentrics(barycentrics);
+    Hit hit;
+    hit.t = 0.0f;
+    hit.u = bary.x;
+    hit.v = bary.y;
+    hit.instance = shown.x;
+    hit.primitive = shown.y;
+    return hit;
+}
+
+// As at camera_distance `depth` from the camera, seen from wo; u_lod as in load_shading_point.
+PixelSurface pixel_surface(IN(Hit) hit, vec3 wo, float depth, float u_lod) {
+    PixelSurface at;
+    bool diffuse = load_frame().diffuse_shading != 0u;
+    LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
+    RayCone cone = ray_cone_propagate(
+        camera_ray_cone(load_camera(), float(load_realtime().size.y)), depth);
+    at.s = load_surface(hit, -wo, cone, surface_needs(material, diffuse));
+    at.p = load_shading_point(material, at.s, wo, u_lod, diffuse);
+    at.wo = wo;
+    at.wo_local = local_from_world(at.p.frame, wo);
+    at.throughput = vec3(1.0f);
+    at.inv_albedo = vec3(0.0f);
+    at.inv_specular_albedo = vec3(0.0f);
+    at.exists = 1u;
+    return at;
+}
+
+PixelSurface load_pixel_surface(ivec2 pixel, IN(Sampler) primary_draws, uint mirrors) {
+    Hit hit = hit_of_pixel(load_hit(pixel), load_barycentrics(pixel));
+    PixelSurface at = pixel_surface(hit, octahedral_decode(load_view(pixel)), load_depth(pixel),
+                                    draw_at(primary_draws, mirrors, DRAW_OTHERS).x);
+    at.throughput = vec3(load_throughput(pixel));
+    at.inv_albedo = inverse_or_zero(vec3(load_albedo(pixel)));
+    at.inv_specular_albedo = inverse_or_zero(vec3(load_specular_albedo(pixel)));
+    return at;
+}
+
+// The surface that a pixel of the last frame showed, where it is now, straight from the camera.
+PixelSurface load_past_surface(ivec2 past) {
+    LET_REF(CameraParams) camera = load_camera();
+    Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
+    PixelSurface at;
+    at.exists = 0u;
+    if (hit.instance >= HIT_LIGHT) { return at; }
+    hit.instance = load_current_instance(hit.instance);
+    if (hit.instance == NO_INDEX) { return at; }
+    vec3 position = surface_position(hit);
+    vec3 wo = camera.kind == CAMERA_ORTHOGRAPHIC ? -camera.forward
+                                                 : normalize(camera.position - position);
+    return pixel_surface(hit, wo, load_previous_depth(past), 0.5f);
+}
+
+#endif
