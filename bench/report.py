@@ -175,6 +175,28 @@ def models_part(results):
             f"{size['level_2_cache']:,}.", ""]
 
 
+def realtime_part(results):
+    if not results.get("realtime"):
+        return []
+    r = results["realtime"]
+    rows, names = [], []
+    for case, c in r["cases"].items():
+        names += [n for n in c["passes"] if n not in names]
+        m = c["milliseconds"]
+        rows.append([case, f"{m['mean']:.1f}", f"{m['p50']:.1f}", f"{m['p95']:.1f}",
+                     f"{1000 / m['mean']:.1f}", f"{c['mrays_per_second']:.2f}",
+                     f"{c['bytes_per_pixel']:.0f}"])
+    passes = [[name] + [f"{c['passes'].get(name, 0):.2f}" for c in r["cases"].values()]
+              for name in names]
+    return ["## Real time", "",
+            "Milliseconds of a frame with A-SVGF and anti-aliasing over time, the camera moving;",
+            "rays of all kinds; memory of all images of the frame. "
+            f"{r['machine']['date']}, load average "
+            f"{r['machine']['load_average_at_start'][0]:.2f}.", ""] + table(
+        ["scene", "mean", "median", "95 %", "frames/s", "Mrays/s", "bytes a pixel"], rows) + [
+            "Pass by pass, mean milliseconds:", ""] + table(["pass", *r["cases"]], passes)
+
+
 def markdown(results):
     m = results["machine"]
     lines = ["# Speed, measured", "",
@@ -188,6 +210,6 @@ def markdown(results):
     lines += ["## Targets", ""]
     lines += table(["what", "target", "reached", "met"], target_rows(results))
     for part in (rays_part, cycles_part, diffuse_part, build_part, scaling_part, memory_part,
-                 models_part):
+                 models_part, realtime_part):
         lines += part(results)
     return "\n".join(lines)

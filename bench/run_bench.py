@@ -3,6 +3,7 @@
 
 (a) rays a second against bare Embree over the same rays   (b) seconds against Cycles
 (c) build times   (d) scaling over threads   (e) peak memory   (f) reflectance models
+(g) real-time frames, pass by pass
 Writes results.json and results.md beside this file (or to --output FOLDER).
 """
 import argparse
@@ -14,6 +15,7 @@ import tempfile
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import report
 from models import models
+from realtime import realtime
 from cycles import cycles_is_here, cycles_seconds
 from programs import Programs, ProgramFailed, from_spread, machine, measured, say
 from scenes import FLIGHT_HELMET, HEIGHT, PEER_SCENES, WIDTH, own_scene, prepare_peer_scene
@@ -198,8 +200,9 @@ def arguments():
     parser.add_argument("--quick", action="store_true", help="fewer samples, one round")
     parser.add_argument("--scenes", default="", help="only these, with commas between them")
     parser.add_argument("--no-cycles", action="store_true", help="do not run Blender")
-    parser.add_argument("--only", choices=["bsdf"],
-                        help="measure the reflectance models alone; the rest of results.json stays")
+    parser.add_argument("--only", choices=["bsdf", "realtime"],
+                        help="measure the reflectance models, or real-time frames, alone; the rest "
+                             "of results.json stays")
     parser.add_argument("--build", default="build/release", help="build tree (default %(default)s)")
     parser.add_argument("--output", default=os.path.dirname(os.path.abspath(__file__)),
                         help="folder for results.json and results.md (default bench/)")
@@ -240,16 +243,28 @@ def measure(programs, args, folder):
     results["scaling"] = scaling(programs, scenes[:2], effort, folder)
     results["memory"] = memory(programs, scenes + [big_scene(programs, folder)], folder)
     results["models"] = models(args.build, args.quick)
+    results["realtime"] = realtime_frames(programs, args, folder)
     return results
 
 
-def with_models_again(args):
+def realtime_frames(programs, args, folder):
+    quiet = machine()
+    ship = [prepare_peer_scene(programs, d, folder) for d in PEER_SCENES
+            if d["name"] == "DutchShipMedium"]
+    return {"machine": quiet,
+            "cases": realtime(programs, ship[0] if ship else None, folder, args.quick)}
+
+
+def with_section_again(args, folder):
     """The results on disk with this one section new."""
     with open(os.path.join(args.output, "results.json"), encoding="utf-8") as file:
         results = json.load(file)
-    results["models"] = models(args.build, args.quick)
-    if results["models"] is None:
-        sys.exit("bench: nothing was measured")
+    if args.only == "bsdf":
+        results["models"] = models(args.build, args.quick)
+        if results["models"] is None:
+            sys.exit("bench: nothing was measured")
+    else:
+        results["realtime"] = realtime_frames(Programs(args.build), args, folder)
     return results
 
 
@@ -257,7 +272,7 @@ def main():
     args = arguments()
     with tempfile.TemporaryDirectory() as folder:
         try:
-            results = (with_models_again(args) if args.only
+            results = (with_section_again(args, folder) if args.only
                        else measure(Programs(args.build), args, folder))
         except ProgramFailed as failure:
             sys.exit(f"bench: {failure}")

@@ -16,6 +16,7 @@ PICTURES = {
     "load_scene": ["loaded.png"],
     "materials": ["materials.png"],
     "overlay": ["overlay.png"],
+    "realtime": ["realtime.png"],
 }
 # The smallest scene that shows something: one triangle under the example's own sky.
 SCENE = """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
@@ -169,7 +170,7 @@ def main():
     write_scene(pictures)
     arguments = {"triangle": ["triangle.png"], "wrapper": ["wrapper.png"], "dynamic_mesh": ["."],
                  "load_scene": ["triangle.gltf", "loaded"], "materials": ["materials.png"],
-                 "overlay": ["overlay.png"]}
+                 "overlay": ["overlay.png"], "realtime": ["."]}
     for example, names in PICTURES.items():
         print(run([os.path.join(build, example), *arguments[example]], cwd=pictures), end="")
         for name in names:

@@ -1,0 +1,54 @@
+"""Milliseconds of a real-time frame, pass by pass, by `glitterpath animate`."""
+import json
+import os
+
+from programs import ProgramFailed, run, say
+from scenes import own_scene
+
+# Name, size of the picture, what is turned on beside the defaults (A-SVGF, anti-aliasing over time).
+CASES = [("corridor", "640x360", []), ("corridor", "320x180", []),
+         ("corridor, light reuse", "320x180", ["--light-reuse", "biased"])]
+LARGEST = ("largest", "640x360", [])
+
+
+def frames(programs, scene, size, options, count, folder):
+    out = os.path.join(folder, "realtime.json")
+    run([programs.tool, "animate", scene.path, "--frames", str(count), "--size", size,
+         "--mode", "realtime", "-o", os.path.join(folder, "frame-%04d.png"), "--json", out,
+         "--quiet", *scene.options, *options])
+    with open(out, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def walk(folder):
+    """Down the corridor, turning a little."""
+    path = os.path.join(folder, "walk.json")
+    keys = [{"time": 0, "position": [0.18, 1.42, 2], "target": [0.15, 1.41, 1], "fov": 52},
+            {"time": 2, "position": [-0.2, 1.42, 0], "target": [0, 1.38, -1]}]
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump({"keys": keys}, file)
+    return ["--path", path]
+
+
+def row(raw):
+    milliseconds = raw["milliseconds_per_frame"]
+    return {"milliseconds": milliseconds, "passes": raw["passes"],
+            "rays_per_frame": raw["rays_per_frame"],
+            "mrays_per_second": raw["rays_per_frame"] / milliseconds["mean"] * 1e-3,
+            "bytes_per_pixel": raw["frame_image_bytes_per_pixel"]}
+
+
+def realtime(programs, largest, folder, quick):
+    """The corridor at two sizes, and the scene with the most triangles of `largest` (or none)."""
+    say("real time")
+    count = 16 if quick else 48
+    corridor = own_scene(programs, "corridor", folder)
+    corridor.options = walk(folder)
+    results = {}
+    for name, size, options in CASES:
+        results[f"{name} {size}"] = row(frames(programs, corridor, size, options, count, folder))
+    if largest is not None:
+        name = f"{largest.name} {LARGEST[1]}"
+        orbit = ["--path", "orbit", "--orbit-period", "60"]
+        results[name] = row(frames(programs, largest, LARGEST[1], orbit, count, folder))
+    return results
