@@ -7,53 +7,19 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "output.h"
+#include "temporary_folder.h"
 #include "tool_error.h"
 
 namespace gp::tool {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kScript = "script.gp";
 constexpr const char* kPicture = "picture";
 constexpr const char* kMessages = "messages";
-
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string pattern = fs::temp_directory_path() / "glitterpath-plot-XXXXXX";
-        if (mkdtemp(pattern.data()) == nullptr) {
-            throw RunError(fmt::format("{}: cannot make this folder: {}", pattern,
-                                       std::strerror(errno)));
-        }
-        m_path = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(m_path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string operator()(const std::string& name) const { return m_path + "/" + name; }
-    const std::string& path() const { return m_path; }
-
-private:
-    std::string m_path;
-};
-
-// Of a file that may be missing.
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 bool isSvg(const std::string& path) {
     return path.ends_with(".svg");
@@ -133,9 +99,10 @@ void drawWithGnuplot(const GnuplotJob& job, const std::string& path) {
     if (WIFSIGNALED(status)) {
         throw RunError(fmt::format("gnuplot was ended by signal {}", WTERMSIG(status)));
     }
-    const std::string picture = bytesOf(folder(kPicture));
+    const std::string picture = bytesOfFile(folder(kPicture));
     if (WEXITSTATUS(status) != 0 || picture.empty()) {
-        throw RunError(fmt::format("gnuplot failed: {}", oneLineOf(bytesOf(folder(kMessages)))));
+        throw RunError(
+            fmt::format("gnuplot failed: {}", oneLineOf(bytesOfFile(folder(kMessages)))));
     }
     writeText(path, picture);
 }

@@ -1,15 +1,16 @@
 // glitterpath animate: from a scene that moves to numbered pictures or a video.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "animate/animate_report.h"
+#include "animate/frame_progress.h"
 #include "animate/frame_writer.h"
 #include "animate/moving_scene.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "output.h"
-#include "progress_bar.h"
 #include "render_frame.h"
 #include "tool_error.h"
 
@@ -32,38 +33,6 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// One bar for all frames.
-class FrameProgress {
-public:
-    FrameProgress(const AnimateSettings& settings)
-        : m_bar(stderrIsTerminal() && !settings.render.quiet), m_start(settings.start),
-          m_frames(settings.frames) {}
-
-    void begin(std::uint32_t frame) { m_frame = frame; }
-    void show(double partOfFrame) {
-        const double done = m_frame - m_start + partOfFrame;
-        const double all = m_frames - m_start;
-        const double elapsed = secondsSince(m_begun);
-        std::string facts = fmt::format("frame {} of {}", m_frame + 1, m_frames);
-        if (done > 0 && elapsed > 1) {
-            facts += fmt::format("  {:.2f} s each  {} left", elapsed / done,
-                                 clockText(elapsed / done * (all - done)));
-        }
-        m_bar.show(done / all, facts);
-    }
-    void clear() { m_bar.clear(); }
-
-private:
-    ProgressBar m_bar;
-    std::uint32_t m_start, m_frames, m_frame = 0;
-    Clock::time_point m_begun = Clock::now();
-};
-
-int onProgress(void* user, const GpProgress* progress) {
-    static_cast<FrameProgress*>(user)->show(progress->fraction);
-    return interrupted() ? 1 : 0;
-}
-
 void addAnimateOptions(CLI::App& app, AnimateSettings& s) {
     addSceneOptions(app, s.render);
     addWord(app, "-o,--output", "OUT",
@@ -84,6 +53,7 @@ void addAnimateOptions(CLI::App& app, AnimateSettings& s) {
             });
     addCameraOptions(app, s.render);
     addLightOptions(app, s.render);
+    addRealtimeOptions(app, s.render.options.realtime);
     addQualityOptions(app, s.render);
     addPictureOptions(app, s.render);
     addMachineOptions(app, s.render);
@@ -105,49 +75,67 @@ void prepare(AnimateSettings& s) {
     if (!r.jsonPath.empty()) {
         checkWritable(r.jsonPath);
     }
+    if (s.mode == GP_MODE_REALTIME) {
+        checkRealtime(r);
+    } else if (r.options.realtime.antiAliasing != 0 || r.options.realtime.renderScale != 0 ||
+               r.options.realtime.mirrorLimit != 0) {
+        throw UsageError("--aa, --render-scale, --mirrors: only with --mode realtime");
+    }
     r.local.mode = s.mode;
     r.device.instructionSet = r.instructionSet.empty() ? nullptr : r.instructionSet.c_str();
 }
 
-GpRenderOptions optionsOf(const AnimateSettings& s, double exposureEv, std::uint32_t frame,
-                          FrameProgress& progress) {
+GpRenderOptions optionsOf(const AnimateSettings& s, double exposureEv, std::uint32_t frame) {
     GpRenderOptions options = s.render.options;
     options.exposureEv = static_cast<float>(exposureEv);
     // Noise of its own for each frame; where frames build on each other, they see to it themselves.
     if (s.mode == GP_MODE_REFERENCE) {
         options.seed += frame;
     }
-    options.progress = &onProgress;
-    options.progressUser = &progress;
     return options;
+}
+
+// Adds the times of the frame's passes; other modes than the real-time one have none.
+void addPasses(GpDevice device, GpFrame frame, std::vector<PassSum>& sums) {
+    std::vector<GpPassTime> times(64);
+    std::uint32_t count = 0;
+    check(device, gpGetPassTimes(frame, times.data(), static_cast<std::uint32_t>(times.size()),
+                                 &count));
+    times.resize(std::min<std::size_t>(count, times.size()));
+    for (const GpPassTime& time : times) {
+        const auto found = std::find_if(sums.begin(), sums.end(), [&](const PassSum& sum) {
+            return sum.name == time.name;
+        });
+        if (found == sums.end()) {
+            sums.push_back({time.name, time.milliseconds});
+        } else {
+            found->milliseconds += time.milliseconds;
+        }
+    }
 }
 
 // Renders and writes the frames until all are there or Ctrl-C comes.
 void renderFrames(GpDevice device, GpFrame frame, MovingScene& moving, FrameWriter& writer,
                   const AnimateSettings& settings, AnimateReport& report) {
-    FrameProgress progress(settings);
+    FrameProgress progress(settings.render.quiet, settings.start, settings.frames);
     for (std::uint32_t i = settings.start; i < settings.frames && !interrupted(); ++i) {
-        progress.begin(i);
-        progress.show(0);
+        progress.begin(i, 0, 1);
         const Clock::time_point start = Clock::now();
         const GpCameraDesc camera = moving.goTo(i);
-        const GpRenderOptions options = optionsOf(settings, report.exposureEv, i, progress);
-        const GpError error = gpRender(frame, moving.scene(), &camera, &options);
-        if (error == GP_ERROR_CANCELLED) {
-            gpGetError(device, nullptr);  // it is no failure, so nobody shall find it later
+        if (!renderWith(device, frame, moving.scene(), camera,
+                        optionsOf(settings, report.exposureEv, i), progress)) {
             break;
         }
-        check(device, error);
         const Clock::time_point rendered = Clock::now();
         report.milliseconds.push_back(
             std::chrono::duration<double, std::milli>(rendered - start).count());
         check(device, gpGetFrameStatistics(frame, &report.last));
         report.rays += report.last.cameraRays + report.last.bounceRays + report.last.shadowRays;
+        addPasses(device, frame, report.passes);
         writer.write(device, frame, i);
         report.secondsWrite += secondsSince(rendered);
     }
     report.interrupted = settings.start + report.milliseconds.size() < settings.frames;
-    progress.clear();
 }
 
 int finish(FrameWriter& writer, const AnimateSettings& s, const AnimateReport& report) {

@@ -43,6 +43,10 @@ Json animateJson(const AnimateReport& report, const AnimateSettings& settings) {
                                           {"p50", percentile(report.milliseconds, 0.5)},
                                           {"p95", percentile(report.milliseconds, 0.95)}};
     }
+    json["passes"] = Json::object();
+    for (const PassSum& pass : report.passes) {
+        json["passes"][pass.name] = pass.milliseconds / static_cast<double>(frames);
+    }
     json["rays_per_frame"] =
         frames > 0 ? Json(static_cast<double>(report.rays) / static_cast<double>(frames)) : nullptr;
     json["frame_image_bytes_per_pixel"] = static_cast<double>(report.last.frameBytes) / pixels;

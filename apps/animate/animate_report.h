@@ -10,9 +10,16 @@
 
 namespace gp::tool {
 
+// The time of a pass, in all frames together.
+struct PassSum {
+    std::string name;
+    double milliseconds = 0;
+};
+
 struct AnimateReport {
     std::vector<double> milliseconds;  // of each frame: moving the scene, and gpRender
     std::uint64_t rays = 0;            // of all frames
+    std::vector<PassSum> passes;       // in their order
     GpFrameStatistics last{};
     double secondsLoad = 0, secondsWrite = 0;
     double exposureEv = 0;

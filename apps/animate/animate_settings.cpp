@@ -47,6 +47,41 @@ void addMotionOptions(CLI::App& app, AnimateSettings& s) {
         ->group(group);
 }
 
+void addRealtimeOptions(CLI::App& app, GpRealtimeOptions& o) {
+    const std::string group = "Real time";
+    addWord(app, "--aa", "NAME",
+            "Anti-aliasing: temporal; none: rays through the middle of pixels; jitter: rays move, "
+            "frames stay as they are (default temporal)",
+            [&o](const std::string& word) {
+                const std::pair<const char*, GpAntiAliasing> choices[] = {
+                    {"temporal", GP_AA_TEMPORAL}, {"none", GP_AA_NONE}, {"jitter", GP_AA_JITTER}};
+                o.antiAliasing = parseChoice("--aa", word, choices);
+            })->group(group);
+    addWord(app, "--render-scale", "S",
+            "Rays along each side of the picture for a pixel, 0.5..1; scaled up over time (1)",
+            [&o](const std::string& word) {
+                o.renderScale = static_cast<float>(parseNumber("--render-scale", word, 0.5, 1));
+            })->group(group);
+    addWord(app, "--mirrors", "N",
+            "Reflections and refractions by smooth surfaces before what a pixel shows, 0..16 (4)",
+            [&o](const std::string& word) {
+                const auto mirrors = static_cast<int>(parseInteger("--mirrors", word, 0, 16));
+                o.mirrorLimit = mirrors == 0 ? GP_NO_BOUNCES : mirrors;
+            })->group(group);
+}
+
+void checkRealtime(const RenderSettings& s) {
+    const GpRenderOptions& o = s.options;
+    const char* given = o.samplesPerPixel > 1 ? "--spp"
+                        : o.timeLimit != 0    ? "--time-limit"
+                        : o.noiseTarget != 0  ? "--noise"
+                        : o.pixelFilter != 0  ? "--filter"
+                                              : nullptr;
+    if (given != nullptr) {
+        throw UsageError(fmt::format("{}: only with --mode reference", given));
+    }
+}
+
 void checkMotion(const AnimateSettings& s) {
     if (!s.orbits() && (s.orbitPeriod || s.orbitHeight)) {
         throw UsageError(fmt::format("{}: needs --path orbit",

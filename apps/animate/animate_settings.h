@@ -26,6 +26,12 @@ struct AnimateSettings {
     bool hasKeys() const { return path.ends_with(".json"); }
 };
 
+// --mode realtime and what belongs to it. The settings must outlive the parsing.
+void addRealtimeOptions(CLI::App& app, GpRealtimeOptions& options);
+
+// Options of path tracing that frames of the real-time mode do not take; throws UsageError.
+void checkRealtime(const RenderSettings& settings);
+
 // --frames, --fps, --path and their like. The settings must outlive the parsing.
 void addMotionOptions(CLI::App& app, AnimateSettings& settings);
 

@@ -99,6 +99,7 @@ std::optional<double> exposureOf(GpDevice device, MovingScene& moving,
     small.local.mode = GP_MODE_REFERENCE;
     small.options.samplesPerPixel = kExposureSamples;
     small.options.timeLimit = small.options.noiseTarget = 0;
+    small.options.realtime = {};
     small.quiet = true;  // no bar
     const GpCameraDesc camera = moving.goTo(0);
     const Frame frame = newFrameFor(device, small);

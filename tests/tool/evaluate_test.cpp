@@ -1,0 +1,123 @@
+// `glitterpath evaluate`: the numbers of a report, its page, and what is refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tool_runner.h"
+
+namespace gp::test {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+ToolResult evaluate(const std::string& out, const Words& more) {
+    Words words = {"evaluate", cornellPath(), "-o", out, "--size", "48x36", "--spp", "32"};
+    words.insert(words.end(), more.begin(), more.end());
+    return runTool(words);
+}
+
+void expectFinite(const Json& values, std::size_t count, double least, double most) {
+    ASSERT_EQ(values.size(), count);
+    for (const Json& value : values) {
+        EXPECT_GE(value.get<double>(), least);
+        EXPECT_LE(value.get<double>(), most);
+    }
+}
+
+TEST(Evaluate, ReportsEveryFrame) {
+    const TestFolder folder;
+    const ToolResult result = evaluate(folder("a.json"), {"--frames", "6", "--skip", "2",
+                                                          "--path", "orbit", "--orbit-period", "20",
+                                                          "--look-at", "0,1,0"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const Json json = readJson(folder("a.json"));
+    EXPECT_EQ(json["frames"], 6);
+    EXPECT_EQ(json["skip"], 2);
+    EXPECT_EQ(json["reference_spp"], 32);
+    ASSERT_EQ(json["variants"].size(), 1u);
+    const Json& v = json["variants"][0];
+    expectFinite(v["per_frame"]["rmse"], 6, 1e-4, 1);
+    expectFinite(v["per_frame"]["ssim"], 6, -1, 0.9999);
+    expectFinite(v["per_frame"]["flip"], 6, 1e-4, 1);
+    expectFinite(v["per_frame"]["flicker"], 5, 1e-4, 1);
+    EXPECT_FALSE(v.contains("lag_frames"));
+    double sum = 0;
+    for (std::size_t i = 2; i < 6; ++i) {
+        sum += v["per_frame"]["ssim"][i].get<double>() / 4;
+    }
+    EXPECT_NEAR(v["ssim"].get<double>(), sum, 1e-9);
+    EXPECT_GT(v["milliseconds"].get<double>(), 0);
+    EXPECT_NE(result.err.find("flicker"), std::string::npos) << result.err;
+}
+
+// Frames that use nothing of the ones before forget a light at once.
+TEST(Evaluate, MeasuresHowLongLightStays) {
+    const TestFolder folder;
+    const ToolResult result =
+        evaluate(folder("a.json"), {"--frames", "6", "--lamp", "0,1,0.3,4000", "--lamp-off", "3",
+                                    "--aa", "none", "--exposure", "0"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const Json json = readJson(folder("a.json"));
+    EXPECT_EQ(json["lamp"]["off_frame"], 3);
+    EXPECT_EQ(json["lamp"]["shows"], true);
+    const Json& v = json["variants"][0];
+    ASSERT_EQ(v["per_frame"]["afterglow"].size(), 3u);
+    EXPECT_TRUE(v["lag_frames"].is_number() || v["lag_frames"].is_null());
+    // Below the floor nothing is lit that is seen.
+    const ToolResult hidden = evaluate(folder("b.json"), {"--frames", "4", "--lamp",
+                                                          "0,-50,0,0.001", "--exposure", "0"});
+    ASSERT_EQ(hidden.exitCode, 0) << hidden.err;
+    EXPECT_EQ(readJson(folder("b.json"))["lamp"]["shows"], false);
+    EXPECT_TRUE(readJson(folder("b.json"))["variants"][0]["lag_frames"].is_null());
+}
+
+TEST(Evaluate, ThePageHoldsEverything) {
+    if (runTool({"brdf", "plot", "lambert", "--kind", "polar", "-o",
+                 TestFolder()("probe.svg")}).exitCode != 0) {
+        GTEST_SKIP() << "gnuplot is missing";
+    }
+    const TestFolder folder;
+    const ToolResult result =
+        evaluate(folder("a.html"), {"--frames", "4", "--lamp", "0,1,0.3,4000", "--json",
+                                    folder("a.json")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const std::string page = readText(folder("a.html"));
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+    EXPECT_TRUE(page.ends_with("</html>\n"));
+    const auto count = [&](const std::string& text) {
+        std::size_t found = 0;
+        for (std::size_t at = page.find(text); at != std::string::npos;
+             at = page.find(text, at + 1)) {
+            ++found;
+        }
+        return found;
+    };
+    EXPECT_EQ(count("data:image/svg+xml;base64,PD94bWwg"), 5u);  // "<?xml "
+    EXPECT_EQ(count("data:image/png;base64,iVBORw0KGgo"), 3u);   // reference, picture, FLIP
+    EXPECT_EQ(count("http"), 0u);                                // nothing from elsewhere
+    EXPECT_NE(page.find("real time"), std::string::npos);
+    EXPECT_EQ(folder.fileCount(), 2u);
+}
+
+TEST(Evaluate, WrongCommandLinesSayWhatIsWrong) {
+    const TestFolder folder;
+    const auto expect = [&](const std::string& out, const Words& more, const std::string& part) {
+        const ToolResult result = evaluate(folder(out), more);
+        EXPECT_EQ(result.exitCode, 2) << result.err;
+        EXPECT_EQ(linesOf(result.err).size(), 1u);
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    };
+    expect("a.txt", {"--frames", "4"}, ".html or .json");
+    expect("a.json", {}, "--frames");
+    expect("a.json", {"--frames", "4", "--skip", "4"}, "--skip");
+    expect("a.json", {"--frames", "4", "--lamp-off", "2"}, "--lamp");
+    expect("a.json", {"--frames", "4", "--lamp", "1,2,3"}, "X,Y,Z,LUMEN");
+    expect("a.json", {"--frames", "4", "--lamp", "1,2,3,4", "--lamp-off", "4"}, "1..3");
+    expect("a.json", {"--frames", "4", "--noise", "0.1"}, "--spp");
+    EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+}  // namespace
+}  // namespace gp::test
