@@ -18,6 +18,7 @@ Command addRenderCommand(CLI::App& tool);
 Command addAnimateCommand(CLI::App& tool);
 Command addEvaluateCommand(CLI::App& tool);
 Command addInfoCommand(CLI::App& tool);
+Command addViewCommand(CLI::App& tool);
 Command addCompareCommand(CLI::App& tool);
 Command addMakeSceneCommand(CLI::App& tool);
 Command addBrdfCommand(CLI::App& tool);

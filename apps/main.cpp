@@ -112,6 +112,7 @@ int run(int argumentCount, char** arguments) {
                                      addBrdfCommand(tool)};
     commands.push_back(addAnimateCommand(tool));
     commands.push_back(addEvaluateCommand(tool));
+    commands.push_back(addViewCommand(tool));
     for (const Command& command : commands) {
         command.app->allow_extras();
         command.app->fallthrough(false);
@@ -124,8 +125,8 @@ int run(int argumentCount, char** arguments) {
         refuseExtras(tool, command ? command->app : nullptr);
         if (command == nullptr) {
             throw UsageError(
-                "a subcommand is missing: render, animate, evaluate, info, compare, make-scene or "
-                "brdf");
+                "a subcommand is missing: render, animate, evaluate, view, info, compare, "
+                "make-scene or brdf");
         }
         return command->run();
     } catch (const CLI::Success& help) {

@@ -63,18 +63,13 @@ void addEnvironment(GpDevice device, GpScene scene, const RenderSettings& s) {
 }
 
 void addLight(GpDevice device, const RenderSettings& s, SceneSetup& setup) {
-    GpScene scene = setup.scene.get();
-    if (!s.environmentPath.empty() || s.environmentColor) {
-        addEnvironment(device, scene, s);
-        if (s.sun) {
-            addSunLight(device, scene, *s.sun);
-        }
-    } else if (s.sun) {
-        check(device, gpSetSky(scene, radians(s.sun->azimuthDeg), radians(s.sun->elevationDeg),
-                               static_cast<float>(s.sun->lux)));
-    } else if (isDark(device, scene)) {
-        check(device, gpSetSky(scene, radians(kDefaultSunAzimuthDeg),
-                               radians(kDefaultSunElevationDeg), 0.0f));
+    const bool surrounded = !s.environmentPath.empty() || s.environmentColor;
+    setup.skyAdded = !surrounded && !s.sun && isDark(device, setup.scene.get());
+    setUpSurroundings(device, setup, s);
+    if (surrounded && s.sun) {
+        addSunLight(device, setup.scene.get(), *s.sun);
+    }
+    if (setup.skyAdded) {
         setup.notes.push_back(fmt::format(
             "the scene has no light: a clear sky is added (as by --sun {},{},0)",
             kDefaultSunAzimuthDeg, kDefaultSunElevationDeg));
@@ -100,6 +95,21 @@ void addSceneChoice(CLI::App& app, GpLoadOptions& load) {
                 load.scene =
                     static_cast<std::uint32_t>(parseInteger("--scene", word, 1, 1u << 20));
             })->group(group);
+}
+
+void setUpSurroundings(GpDevice device, const SceneSetup& setup, const RenderSettings& s) {
+    GpScene scene = setup.scene.get();
+    if (!s.environmentPath.empty() || s.environmentColor) {
+        addEnvironment(device, scene, s);
+    } else if (s.sun) {
+        check(device, gpSetSky(scene, radians(s.sun->azimuthDeg), radians(s.sun->elevationDeg),
+                               static_cast<float>(s.sun->lux)));
+    } else if (setup.skyAdded) {
+        check(device, gpSetSky(scene, radians(kDefaultSunAzimuthDeg),
+                               radians(kDefaultSunElevationDeg), 0.0f));
+    } else {
+        check(device, gpSetEnvironment(scene, nullptr));
+    }
 }
 
 SceneSetup setUpScene(GpDevice device, const RenderSettings& settings) {

@@ -15,11 +15,15 @@ void addSceneChoice(CLI::App& app, GpLoadOptions& load);
 struct SceneSetup {
     Scene scene;
     double secondsLoad = 0;
+    bool skyAdded = false;           // since nothing lit it
     std::vector<std::string> notes;  // what was added that nobody asked for
 };
 
 // Loads the file and adds the light that was asked for, or a sky where there is none.
 SceneSetup setUpScene(GpDevice device, const RenderSettings& settings);
+
+// The environment or sky that setUpScene gave the scene, again: for who has set another one.
+void setUpSurroundings(GpDevice device, const SceneSetup& setup, const RenderSettings& settings);
 
 GpCameraDesc setUpCamera(GpDevice device, GpScene scene, const RenderSettings& settings,
                          std::vector<std::string>& notes);

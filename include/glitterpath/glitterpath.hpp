@@ -249,6 +249,19 @@ public:
     void save(const std::string& path, const GpSaveOptions& options = {}) const {
         check(gpSaveFrame(get(), path.c_str(), &options));
     }
+    // Of GP_MODE_REALTIME, as gpGetPassTimes and gpReadFrameLayer; four floats a pixel.
+    std::vector<GpPassTime> passTimes() const {
+        uint32_t count = 0;
+        check(gpGetPassTimes(get(), nullptr, 0, &count));
+        std::vector<GpPassTime> times(count);
+        check(gpGetPassTimes(get(), times.data(), count, &count));
+        return times;
+    }
+    std::vector<float> layer(const std::string& name) const {
+        std::vector<float> pixels(pixels_ * 4);
+        check(gpReadFrameLayer(get(), name.c_str(), pixels.data(), pixels.size() * sizeof(float)));
+        return pixels;
+    }
     GpFrameStatistics statistics() const {
         GpFrameStatistics result{};
         check(gpGetFrameStatistics(get(), &result));

@@ -92,7 +92,7 @@ vec3 read_emission(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     return shines ? e : vec3(0.0f);
 }
 
-// Out of line: materials without layers must not pay for them.
+// Out of line, and found behind the flag of vertex colours: materials without must not pay.
 OUT_OF_LINE vec3 add_texture_layers(vec3 base, uint first, IN(Surface) s, float u_lod) {
     vec3 color = base;
     for (uint i = first;; ++i) {
@@ -110,10 +110,12 @@ vec3 read_base_color(IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     if ((m.textures & SLOT_BASE_COLOR) != 0u) {
         base *= vec3(read_slot(m.base_color_slot, s, u_lod));
     }
-    if ((m.textures & SLOT_LAYERS) != 0u) {
-        base = add_texture_layers(base, m.first_texture_layer, s, u_lod);
+    if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) {
+        if ((m.textures & SLOT_LAYERS) != 0u) {
+            base = add_texture_layers(base, m.first_texture_layer, s, u_lod);
+        }
+        base *= vec3(s.color);
     }
-    if ((m.flags & MATERIAL_VERTEX_COLOR) != 0u) { base *= vec3(s.color); }
     return base;
 }
 

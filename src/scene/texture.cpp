@@ -1,5 +1,7 @@
 #include "scene/texture.h"
 
+#include <algorithm>
+
 #include "scene/mipmap.h"
 
 namespace gp {

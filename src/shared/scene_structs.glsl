@@ -24,7 +24,7 @@ struct Hit {
 #define MATERIAL_SOLID 4u        // transmissive body with an inside
 #define MATERIAL_TRANSMISSIVE 8u
 #define MATERIAL_EMISSIVE 16u
-#define MATERIAL_VERTEX_COLOR 32u
+#define MATERIAL_VERTEX_COLOR 32u // colours of vertices, or texture layers (SLOT_LAYERS)
 #define MATERIAL_ALPHA_MASK 128u
 #define MATERIAL_ALPHA_BLEND 256u
 #define MATERIAL_MATTE 1024u     // no metal, no reflection, no layers: Lambertian

@@ -98,7 +98,7 @@ TEST(DrawDeterminism, ThreadsDoNotChangeABit) {
     std::vector<DrawCommand> draws;
     for (int n = 0; n < 7; ++n) {
         std::vector<glm::vec2> corners;
-        for (int i = 0; i < 3 * 2000; ++i)
+        for (int i = 0; i < 3 * 300; ++i)
             corners.push_back({unit(random) * 300 - 40, unit(random) * 200 - 30});
         DrawCommand d = pixelDraw(std::move(corners));
         for (size_t i = 0; i < d.positions.size(); ++i) {

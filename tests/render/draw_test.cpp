@@ -249,5 +249,53 @@ TEST_F(Draw, ObjectsAreMovedAndPositionsMayBeHomogeneous) {
         ASSERT_EQ(drawn[x] != plain[x], x >= 4 && x < 14) << x;
 }
 
+// In real time a picture remembers the ones before: what is drawn must not get into its memory.
+TEST_F(Draw, RealTimeFramesAreDrawnIntoWithoutRememberingIt) {
+    stage.variant.mode = GP_MODE_REALTIME;
+    GpRenderOptions o{};
+    o.tonemap = GP_TONEMAP_NONE;
+    const auto film = [&](bool draws) {
+        frame = stage.frame(w, h);
+        std::vector<std::vector<glm::vec4>> pictures;
+        for (int n = 0; n < 3; ++n) {
+            if (draws && n == 1) {
+                GpDrawDesc scene = rectangle(0, 0, 16, 24, {9, 1, 0, 1});
+                stage.check(gpDraw(frame, &scene));
+                GpDrawDesc sky = rectangle(0, 0, 32, 24, {0, 0, 0.25f, 1});
+                sky.target = GP_DRAW_SKY;
+                stage.check(gpDraw(frame, &sky));
+                GpDrawDesc overlay = rectangle(0, 0, 4, 4, {1, 1, 1, 1});
+                overlay.target = GP_DRAW_OVERLAY;
+                stage.check(gpDraw(frame, &overlay));
+            }
+            stage.check(gpRender(frame, stage.scene, &camera, &o));
+            pictures.push_back(color());
+            if (n != 1) continue;
+            EXPECT_EQ(display()[0], draws ? glm::u8vec4(255) : display()[w - 1]);
+            stage.check(gpTonemapFrame(frame, 1, GP_TONEMAP_NONE));
+            if (draws) {
+                EXPECT_EQ(display()[0], glm::u8vec4(255));
+                EXPECT_EQ(display()[15], glm::u8vec4(255, 255, 0, 255));
+                EXPECT_EQ(display()[w - 1], glm::u8vec4(0, 0, 188, 255));
+            }
+        }
+        return pictures;
+    };
+    const auto plain = film(false), drawn = film(true);
+    EXPECT_EQ(drawn[0], plain[0]);
+    EXPECT_EQ(drawn[2], plain[2]) << "the next picture remembers nothing of it";
+    EXPECT_EQ(drawn[1][12 * w], glm::vec4(9, 1, 0, 1));
+    EXPECT_EQ(drawn[1][31], glm::vec4(0, 0, 0.25f, 1));
+    EXPECT_EQ(drawn[1][12 * w + 17], plain[1][12 * w + 17]) << "the ball";
+    // Something behind the ball is hidden by it.
+    corners = {{-9, -9, -2}, {9, -9, -2}, {0, 20, -2}};
+    GpDrawDesc behind{};
+    behind.positions = &corners[0].x, behind.vertexCount = 3;
+    stage.check(gpDraw(frame, &behind));
+    stage.check(gpRender(frame, stage.scene, &camera, &o));
+    EXPECT_EQ(color()[12 * w + 1], glm::vec4(1));
+    EXPECT_NE(color()[12 * w + 16], glm::vec4(1));
+}
+
 }  // namespace
 }  // namespace gp::test

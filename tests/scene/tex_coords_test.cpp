@@ -72,6 +72,8 @@ TEST(TexCoords, LeaveTangentsToTheKernelsWhereAVertexWouldNeedTwo) {
 TEST(TexCoords, KeepTangentsWhereTheyMoveAsAWhole) {
     for (const uint32_t set : {0u, 1u}) {
         MeshData data = hinge(true, true);
+        // Small and slanted: far from the origin rounding turns what is computed from differences.
+        for (glm::vec2& p : data.uv[0]) p = glm::mat2(0.83f, 0.37f, -0.31f, 0.9f) * p / 90.0f;
         data.uv[1] = data.uv[0];
         Mesh mesh;
         MeshOptions options;

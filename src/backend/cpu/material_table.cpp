@@ -142,7 +142,7 @@ static_assert(LAYER_OPAQUE == uint32_t(LayerBlend::opaque) &&
 void MaterialTable::fillTextureLayers(MaterialRecord& r, const Material& m, glm::vec4 color) {
     if (m.textureLayers.empty()) return;
     r.base_color = glm::vec4(glm::vec3(m.baseColor), r.base_color.w);
-    r.textures |= SLOT_LAYERS;
+    r.textures |= SLOT_LAYERS, r.flags |= MATERIAL_VERTEX_COLOR;
     r.first_texture_layer = uint32_t(textureLayers_.size());
     for (const TextureLayer& source : m.textureLayers) {
         TextureLayerRecord layer{};

@@ -32,13 +32,16 @@ RasterVertex vertexOf(const PlacedDraw& placed, size_t corner) {
     return r;
 }
 
-Corner cornerOf(const RasterVertex& v) {
-    Corner c;
+// False where clipping has left no digits: of vertices 10^16 times as large as what is seen.
+bool placeCorner(const RasterVertex& v, Corner& c) {
     c.inverseW = 1 / v.w;
     c.px = v.x * c.inverseW, c.py = v.y * c.inverseW;
+    const bool placed = v.w > 0 && std::abs(c.px) <= 2 * guardBand &&
+                        std::abs(c.py) <= 2 * guardBand;  // NaN is not
+    if (!placed) return false;
     c.x = std::llround(c.px * double(subPixels)), c.y = std::llround(c.py * double(subPixels));
     c.vertex = &v;
-    return c;
+    return true;
 }
 
 // The plane through values at three points, over the centres of pixels.
@@ -150,7 +153,10 @@ void setUpTriangles(const PlacedDraw& placed, uint32_t draw, size_t first, size_
                          vertexOf(placed, 3 * i + 2));
         if (polygon.count < 3) continue;
         Corner corners[mostCorners];
-        for (size_t k = 0; k < polygon.count; ++k) corners[k] = cornerOf(polygon.corners[k]);
+        size_t placedCorners = 0;
+        for (size_t k = 0; k < polygon.count; ++k)
+            placedCorners += placeCorner(polygon.corners[k], corners[k]);
+        if (placedCorners < polygon.count) continue;
         int64_t area = 0;
         for (size_t k = 2; k < polygon.count; ++k)
             area += signedArea(corners[0], corners[k - 1], corners[k]);

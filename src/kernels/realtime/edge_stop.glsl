@@ -95,14 +95,15 @@ float frames_kept(float frames, float change) {
 // A first frame has no variance of its own; the one of its neighbours stands in, which leaves the
 // estimate without bias, as the expectation of later terms is the variance itself.
 // What repeats the last frame's draws says nothing new, unless light has changed; and of a block
-// the brightest is chosen for it, so that it would brighten the mean. It has no share.
+// the brightest is chosen for it, so that it would brighten the mean. It counts as far as light has
+// changed: fully from a fiftieth on, as pixels that lag behind their neighbours make a pattern.
 Accumulated accumulate(IN(NewLight) now, vec4 history, float history_luma, float frames,
                        float limit) {
     float before = frames_kept(frames, now.change);
-    bool is_old = now.is_repeated && before >= 1.0f;
+    float counts = now.is_repeated && before >= 1.0f ? min(50.0f * now.change, 1.0f) : 1.0f;
     Accumulated a;
-    a.frames = min(is_old ? before : before + 1.0f, limit);
-    float share = is_old ? now.change : new_share(a.frames, now.change);
+    a.frames = min(before + counts, limit);
+    float share = counts * new_share(a.frames, now.change);
     float difference = now.luma - history_luma;
     float variance = (1.0f - share) * (history.w + share * difference * difference);
     float share2 = share * share;
@@ -120,11 +121,13 @@ int repeated_cell(ivec2 block) {
 
 // One over the difference of luminance that is noise, in iteration `i` of the filter: each halves
 // the noise about [Dammertz et al. 2010, section 3.2]. The mean of n frames has an nth of the
-// variance; a single frame knows nothing, and all that it sees may be noise.
+// variance; a single frame knows nothing, and all that it sees may be noise. Few frames are no bell
+// curve either, but sparks far from the mean: until there are many, the stop is wider.
 float luminance_stop(float luma, float variance, float frames, int iteration, float deviations) {
-    float noise = sqrt(max(variance, 0.0f) / max(frames, 1.0f)) / float(1 << iteration);
+    float share = 1.0f / max(frames, 1.0f);
+    float noise = sqrt(max(variance, 0.0f) * share) / float(1 << iteration);
     float trust = clamp((frames - 1.0f) * (1.0f / 3.0f), 0.0f, 1.0f);
-    return trust / (deviations * noise + 1.0e-3f * abs(luma) + 1.0e-7f);
+    return trust / (deviations * (1.0f + 3.0f * share) * noise + 1.0e-3f * abs(luma) + 1.0e-7f);
 }
 
 #endif

@@ -3,7 +3,7 @@
 // Based on: Schied, Peters and Dachsbacher 2018, "Gradient Estimation for Real-Time Adaptive
 // Temporal Filtering", section 4.1; the pixels look for their past, as Q2RTX does, instead of the
 // past for its pixels.
-// Resources: load_previous_… of hit, barycentrics, depth, normal, material, luma;
+// Resources: load_previous_… of hit, barycentrics, depth, normal, material, luma, gradient_sample;
 // load_current_instance; store_gradient_sample; and those of pixel_surface.glsl.
 #ifndef GP_KERNELS_REALTIME_GRADIENT_REPROJECT_GLSL
 #define GP_KERNELS_REALTIME_GRADIENT_REPROJECT_GLSL
@@ -33,6 +33,14 @@ bool past_surface_agrees(ivec2 pixel, ivec2 past, vec4 motion) {
            dot(n, octahedral_decode(load_previous_normal(past).y)) > GRADIENT_NORMAL_COSINE;
 }
 
+// A pixel that repeated another one had not the draws of its own place: it cannot be repeated by
+// them, and a chain of the brightest would not be noise any more.
+bool has_repeated(ivec2 past) {
+    ivec2 block = past / 3;
+    ivec2 inside = past - block * 3;
+    return (load_previous_gradient_sample(block) & 15u) == uint(1 + inside.x + 3 * inside.y);
+}
+
 PastPixel find_past_pixel(ivec2 pixel) {
     LET_REF(RealtimeConstants) r = load_realtime();
     PastPixel past;
@@ -45,7 +53,8 @@ PastPixel find_past_pixel(ivec2 pixel) {
     past.at = ivec2(int(floor(float(pixel.x) + 0.5f + motion.x)),
                     int(floor(float(pixel.y) + 0.5f + motion.y)));
     bool inside = past.at.x >= 0 && past.at.y >= 0 && past.at.x < r.size.x && past.at.y < r.size.y;
-    if (!inside || !past_surface_agrees(pixel, past.at, motion)) { return past; }
+    if (!inside || has_repeated(past.at)) { return past; }
+    if (!past_surface_agrees(pixel, past.at, motion)) { return past; }
     vec4 luma = load_previous_luma(past.at);
     past.luminance = luma.x + luma.y + max(luma.z, 0.0f);
     return past;

@@ -1,0 +1,35 @@
+// Changes of the scene's light that a person makes while looking.
+#pragma once
+
+#include <functional>
+
+#include "library.h"
+#include "view/view_choices.h"
+
+namespace gp::tool::view {
+
+struct ViewedScene {
+    GpDevice device = nullptr;
+    GpScene scene = nullptr;
+    std::function<void()> restoreSurroundings;  // those that it was loaded with
+};
+
+// Brings the scene to what was chosen; only what differs from the last time is touched.
+class SceneEdits {
+public:
+    // Device and scene must outlive it. The scene is as it was loaded.
+    explicit SceneEdits(ViewedScene scene) : m_scene(std::move(scene)) {}
+
+    void apply(const ViewChoices& choices);
+
+private:
+    void applySurroundings(const Surroundings& wanted);
+    void applyLamp(const HandLamp& wanted, const GpCameraDesc& camera);
+
+    ViewedScene m_scene;
+    Surroundings m_surroundings;
+    GpLight m_lamp = nullptr;  // the scene's, while it is on
+    GpLightDesc m_lampDesc{};
+};
+
+}  // namespace gp::tool::view

@@ -1,0 +1,19 @@
+#include "view/view_choices.h"
+
+#include "view/fly_camera.h"
+
+namespace gp::tool::view {
+
+bool sameView(const ViewChoices& a, const ViewChoices& b) {
+    return sameCamera(a.camera, b.camera) && a.size == b.size && a.live == b.live &&
+           a.realtime == b.realtime && a.surroundings == b.surroundings && a.lamp == b.lamp;
+}
+
+bool sameChoices(const ViewChoices& a, const ViewChoices& b) {
+    return sameView(a, b) && a.liveSeconds == b.liveSeconds && a.reference == b.reference &&
+           a.mostSamples == b.mostSamples && a.image == b.image &&
+           a.autoExposure == b.autoExposure && a.exposureEv == b.exposureEv &&
+           a.tonemap == b.tonemap;
+}
+
+}  // namespace gp::tool::view

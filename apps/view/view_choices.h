@@ -1,0 +1,69 @@
+// What a person has chosen to see: the window's thread fills it in, the rendering thread obeys.
+#pragma once
+
+#include <glitterpath/glitterpath.h>
+
+#include <cstdint>
+#include <string>
+
+#include "view/resolution_controller.h"
+
+namespace gp::tool::view {
+
+// What is shown while something changes.
+enum class LiveMode {
+    realtime,  // GP_MODE_REALTIME: goes on at rest, too
+    traced,    // path tracing, one sample a pixel
+    local      // the picture of a rasteriser (GP_MODE_LOCAL)
+};
+
+// What only LiveMode::realtime has.
+struct RealtimeChoices {
+    float renderScale = 1;                    // GpRealtimeOptions::renderScale
+    GpAntiAliasing antiAliasing = GP_AA_TEMPORAL;
+    std::int32_t bounces = 1, mirrors = 4;    // 0 = none
+    std::uint64_t cuts = 0;                   // one more for each jump: history is forgotten
+    friend bool operator==(const RealtimeChoices&, const RealtimeChoices&) = default;
+};
+
+struct Surroundings {
+    enum class Kind { asLoaded, sky, color };
+    Kind kind = Kind::asLoaded;
+    float azimuthDeg = 225, elevationDeg = 40;  // as --sun
+    float lux = 0;                              // 0: by its elevation
+    float color[3] = {1, 1, 1};                 // W/(m^2 sr)
+    friend bool operator==(const Surroundings&, const Surroundings&) = default;
+};
+
+// A small white lamp of our own, beside those of the file.
+struct HandLamp {
+    bool isOn = false, followsCamera = true;
+    float intensity = 10;             // W/sr
+    float position[3] = {0, 0, 0};    // where it was put down
+    friend bool operator==(const HandLamp&, const HandLamp&) = default;
+};
+
+struct ViewChoices {
+    // What is traced.
+    GpCameraDesc camera{};
+    RenderSize size;              // of the picture at rest; 0 x 0: nothing can be seen
+    LiveMode live = LiveMode::realtime;
+    RealtimeChoices realtime;
+    double liveSeconds = 1.0 / 30.0;
+    Surroundings surroundings;
+    HandLamp lamp;
+    bool reference = false;       // at rest: add samples until there are this many
+    std::uint32_t mostSamples = 4096;
+    // How it is shown.
+    std::string image = "display";
+    bool autoExposure = true;
+    float exposureEv = 0;
+    GpTonemap tonemap = GP_TONEMAP_AGX;
+};
+
+// Whether the same samples serve both.
+bool sameView(const ViewChoices& a, const ViewChoices& b);
+// Whether everything is the same.
+bool sameChoices(const ViewChoices& a, const ViewChoices& b);
+
+}  // namespace gp::tool::view

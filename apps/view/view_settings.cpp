@@ -1,0 +1,209 @@
+// ViewModel::set: what the panels set, by name; and ViewModel::stateJson.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
+#include "parse.h"
+#include "tool_error.h"
+#include "view/image_view.h"
+#include "view/view_model.h"
+#include "view/view_words.h"
+
+namespace gp::tool::view {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Setter = std::function<void(ViewModel&, const std::string& name, const std::string& word)>;
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+bool parseSwitch(const std::string& name, const std::string& word) {
+    const std::pair<const char*, bool> choices[] = {{"on", true}, {"off", false}};
+    return parseChoice(name, word, choices);
+}
+
+void setExposure(ViewModel& model, const std::string& name, const std::string& word) {
+    const bool isAuto = word == "auto";
+    const double ev = isAuto ? 0.0 : parseNumber(name, word, -100, 100);
+    model.choices().autoExposure = isAuto;
+    model.choices().exposureEv = isAuto ? model.choices().exposureEv : static_cast<float>(ev);
+}
+
+void setImage(ViewModel& model, const std::string& name, const std::string& word) {
+    if (imageNamed(word) == nullptr) {
+        failChoice(name, word, imageNames());
+    }
+    model.choices().image = word;
+}
+
+void setSky(ViewModel& model, const std::string& name, const std::string& word) {
+    const std::array<float, 3> numbers = parseTriple(name, word);
+    if (numbers[1] < 0 || numbers[1] > 90 || numbers[2] < 0) {
+        throw UsageError(fmt::format("{}: {} is not AZIMUTH,ELEVATION,LUX with an elevation in "
+                                     "0..90 and at least 0 lux", name, word));
+    }
+    Surroundings& s = model.choices().surroundings;
+    s.kind = Surroundings::Kind::sky;
+    s.azimuthDeg = numbers[0];
+    s.elevationDeg = numbers[1];
+    s.lux = numbers[2];
+}
+
+void setSurroundings(ViewModel& model, const std::string& name, const std::string& word) {
+    Surroundings& s = model.choices().surroundings;
+    if (word == "loaded") {
+        s.kind = Surroundings::Kind::asLoaded;
+        return;
+    }
+    const std::array<float, 3> color = parseTriple(name, word);
+    if (*std::min_element(color.begin(), color.end()) < 0) {
+        throw UsageError(fmt::format("{}: {} is negative", name, word));
+    }
+    s.kind = Surroundings::Kind::color;
+    std::copy(color.begin(), color.end(), s.color);
+}
+
+void setCamera(ViewModel& model, const std::string& name, const std::string& word) {
+    if (word == "all") {
+        model.goTo(model.facts().wholeScene);
+    } else if (word == "start") {
+        model.goTo(model.facts().start);
+    } else {
+        model.goToCamera(static_cast<std::size_t>(parseInteger(name, word, 0, 1u << 20)));
+    }
+}
+
+void setPosition(ViewModel& model, const std::string& name, const std::string& word) {
+    const std::array<float, 3> p = parseTriple(name, word);
+    model.camera().position() = {p[0], p[1], p[2]};
+    ++model.choices().realtime.cuts;
+}
+
+const std::vector<std::pair<std::string, Setter>>& setters() {
+    static const std::vector<std::pair<std::string, Setter>> all = {
+        {"camera", setCamera},
+        {"position", setPosition},
+        {"fov",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.camera().lens().verticalFov =
+                 static_cast<float>(parseNumber(name, word, 0.01, 179.0) / kDegreesPerRadian);
+         }},
+        {"exposure", setExposure},
+        {"tonemap",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().tonemap = parseChoice(name, word, kTonemapWords);
+         }},
+        {"image", setImage},
+        {"live",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.setLive(parseChoice(name, word, kLiveWords));
+         }},
+        {"render-scale",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.renderScale =
+                 static_cast<float>(parseNumber(name, word, 0.5, 1.0));
+         }},
+        {"anti-aliasing",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.antiAliasing = parseChoice(name, word, kAntiAliasingWords);
+         }},
+        {"bounces",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.bounces =
+                 static_cast<std::int32_t>(parseInteger(name, word, 0, kMostBounces));
+         }},
+        {"mirrors",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.mirrors =
+                 static_cast<std::int32_t>(parseInteger(name, word, 0, kMostBounces));
+         }},
+        {"reference",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().reference = parseSwitch(name, word);
+         }},
+        {"samples",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().mostSamples =
+                 static_cast<std::uint32_t>(parseInteger(name, word, 1, kMostSamples));
+         }},
+        {"fps",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().liveSeconds = 1.0 / parseNumber(name, word, kLowestFps, kHighestFps);
+         }},
+        {"sky", setSky},
+        {"surroundings", setSurroundings},
+        {"lamp",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().lamp.isOn = parseSwitch(name, word);
+         }},
+        {"lamp-intensity",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().lamp.intensity = static_cast<float>(parseNumber(name, word, 0, 1e9));
+         }}};
+    return all;
+}
+
+}  // namespace
+
+void ViewModel::set(const std::string& name, const std::string& value) {
+    for (const auto& [known, setter] : setters()) {
+        if (name == known) {
+            setter(*this, name, value);
+            return;
+        }
+    }
+    failChoice("set", name, settingNames());
+}
+
+std::vector<std::string> ViewModel::settingNames() {
+    std::vector<std::string> names;
+    for (const auto& [name, setter] : setters()) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+Json ViewModel::stateJson() const {
+    const GpCameraDesc camera = m_camera.desc();
+    Json json;
+    json["position"] = camera.position;
+    json["target"] = camera.target;
+    json["speed"] = m_camera.speed();
+    json["live"] = wordOf(m_choices.live, kLiveWords);
+    json["reference"] = m_choices.reference;
+    json["image"] = m_choices.image;
+    json["panels"] = m_showsPanels;
+    if (m_picture) {
+        json["render_size"] = {m_picture->size.width, m_picture->size.height};
+        json["scale"] = m_picture->scale;
+        json["at_rest"] = m_picture->atRest;
+        json["samples_per_pixel"] = m_picture->statistics.samplesPerPixel;
+        json["exposure_ev"] = m_picture->exposureEv;
+        json["live_frames"] = m_picture->liveFrames;
+        json["note"] = m_picture->note;
+        for (const auto& [pass, milliseconds] : m_picture->passes) {
+            json["passes"][pass] = milliseconds;
+        }
+    }
+    json["milliseconds_per_frame"] = {{"mean", m_times.mean()},
+                                      {"p50", m_times.percentile(50)},
+                                      {"p95", m_times.percentile(95)}};
+    json["thing"] = nullptr;
+    if (const std::optional<PickedThing>& picked = thing()) {
+        json["thing"] = {{"instance", picked->instance},
+                         {"name", picked->instanceName},
+                         {"mesh", picked->meshName},
+                         {"material", picked->materialName},
+                         {"model", picked->model},
+                         {"pinned", isPinned()}};
+        for (const auto& [parameter, value] : picked->parameters) {
+            json["thing"]["parameters"][parameter] = value;
+        }
+    }
+    json["message"] = m_message.text;
+    return json;
+}
+
+}  // namespace gp::tool::view
