@@ -53,13 +53,17 @@ void addAnimateOptions(CLI::App& app, AnimateSettings& s) {
             });
     addCameraOptions(app, s.render);
     addLightOptions(app, s.render);
-    addRealtimeOptions(app, s.render.options.realtime);
+    addWord(app, "--denoiser", "NAME", "asvgf, svgf, atrous or none (default asvgf)",
+            [&s](const std::string& word) {
+                s.render.options.realtime.denoiser = parseDenoiser(word);
+            })->group("Real time");
+    addRealtimeOptions(app, s);
     addQualityOptions(app, s.render);
     addPictureOptions(app, s.render);
     addMachineOptions(app, s.render);
 }
 
-void prepare(AnimateSettings& s) {
+void prepare(const CLI::App& app, AnimateSettings& s) {
     RenderSettings& r = s.render;
     checkMotion(s);
     checkLightSettings(r);
@@ -76,10 +80,17 @@ void prepare(AnimateSettings& s) {
         checkWritable(r.jsonPath);
     }
     if (s.mode == GP_MODE_REALTIME) {
-        checkRealtime(r);
-    } else if (r.options.realtime.antiAliasing != 0 || r.options.realtime.renderScale != 0 ||
-               r.options.realtime.mirrorLimit != 0) {
-        throw UsageError("--aa, --render-scale, --mirrors: only with --mode realtime");
+        if (r.options.samplesPerPixel > 1) {
+            throw UsageError("--spp: only with --mode reference");
+        }
+        finishRealtime(s);
+    } else {
+        for (const char* name :
+             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse", "--tune"}) {
+            if (app.count(name) > 0) {
+                throw UsageError(fmt::format("{}: only with --mode realtime", name));
+            }
+        }
     }
     r.local.mode = s.mode;
     r.device.instructionSet = r.instructionSet.empty() ? nullptr : r.instructionSet.c_str();
@@ -162,8 +173,8 @@ int finish(FrameWriter& writer, const AnimateSettings& s, const AnimateReport& r
     return kExitInterrupted;
 }
 
-int runAnimate(AnimateSettings& settings) {
-    prepare(settings);
+int runAnimate(const CLI::App& app, AnimateSettings& settings) {
+    prepare(app, settings);
     const RenderSettings& r = settings.render;
     const Device device = newDevice(r.device);
     const InterruptGuard guard(device.get());
@@ -195,7 +206,7 @@ Command addAnimateCommand(CLI::App& tool) {
     const auto settings = std::make_shared<AnimateSettings>();
     addAnimateOptions(*app, *settings);
     app->footer(kNotes);
-    return {app, [settings] { return runAnimate(*settings); }};
+    return {app, [app, settings] { return runAnimate(*app, *settings); }};
 }
 
 }  // namespace gp::tool

@@ -47,8 +47,9 @@ void addMotionOptions(CLI::App& app, AnimateSettings& s) {
         ->group(group);
 }
 
-void addRealtimeOptions(CLI::App& app, GpRealtimeOptions& o) {
+void addRealtimeOptions(CLI::App& app, AnimateSettings& s) {
     const std::string group = "Real time";
+    GpRealtimeOptions& o = s.render.options.realtime;
     addWord(app, "--aa", "NAME",
             "Anti-aliasing: temporal; none: rays through the middle of pixels; jitter: rays move, "
             "frames stay as they are (default temporal)",
@@ -68,18 +69,51 @@ void addRealtimeOptions(CLI::App& app, GpRealtimeOptions& o) {
                 const auto mirrors = static_cast<int>(parseInteger("--mirrors", word, 0, 16));
                 o.mirrorLimit = mirrors == 0 ? GP_NO_BOUNCES : mirrors;
             })->group(group);
+    addWord(app, "--light-reuse", "NAME",
+            "How shadow rays choose their lamp: none: each pixel by itself; biased, unbiased: with "
+            "what pixels nearby found in the last frame (default none)",
+            [&o](const std::string& word) {
+                const std::pair<const char*, GpLightReuse> choices[] = {
+                    {"none", GP_REUSE_NONE},
+                    {"biased", GP_REUSE_BIASED},
+                    {"unbiased", GP_REUSE_UNBIASED}};
+                o.lightReuse = parseChoice("--light-reuse", word, choices);
+            })->group(group);
+    addWords(app, "--tune", "NAME=VALUE",
+             "Another value for a number of denoisers, light reuse or anti-aliasing "
+             "(gpDescribeDenoisers lists them); may be repeated",
+             s.tuning.words)->group(group);
 }
 
-void checkRealtime(const RenderSettings& s) {
-    const GpRenderOptions& o = s.options;
-    const char* given = o.samplesPerPixel > 1 ? "--spp"
-                        : o.timeLimit != 0    ? "--time-limit"
-                        : o.noiseTarget != 0  ? "--noise"
-                        : o.pixelFilter != 0  ? "--filter"
-                                              : nullptr;
+GpDenoiser parseDenoiser(const std::string& word) {
+    const std::pair<const char*, GpDenoiser> choices[] = {{"asvgf", GP_DENOISER_ASVGF},
+                                                          {"svgf", GP_DENOISER_SVGF},
+                                                          {"atrous", GP_DENOISER_ATROUS},
+                                                          {"none", GP_DENOISER_NONE}};
+    return parseChoice("--denoiser", word, choices);
+}
+
+void finishRealtime(AnimateSettings& s) {
+    GpRenderOptions& o = s.render.options;
+    const char* given = o.timeLimit != 0     ? "--time-limit"
+                        : o.noiseTarget != 0 ? "--noise"
+                        : o.pixelFilter != 0 ? "--filter"
+                                             : nullptr;
     if (given != nullptr) {
-        throw UsageError(fmt::format("{}: only with --mode reference", given));
+        throw UsageError(fmt::format("{}: not in real time", given));
     }
+    s.tuning.names.clear();
+    s.tuning.names.reserve(s.tuning.words.size());  // the parameters point to them
+    s.tuning.parameters.clear();
+    for (const std::string& word : s.tuning.words) {
+        const auto [name, value] = parseAssignment("--tune", word);
+        s.tuning.names.push_back(name);
+        s.tuning.parameters.push_back({s.tuning.names.back().c_str(),
+                                       static_cast<float>(parseNumber("--tune", value))});
+    }
+    o.realtime.parameters = s.tuning.parameters.data();
+    o.realtime.parameterCount = static_cast<std::uint32_t>(s.tuning.parameters.size());
+    o.realtime.timeStep = static_cast<float>(1 / s.framesPerSecond);
 }
 
 void checkMotion(const AnimateSettings& s) {

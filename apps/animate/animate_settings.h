@@ -4,13 +4,22 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render_settings.h"
 
 namespace gp::tool {
 
+// --tune: numbers of the real-time mode, with what their names are kept in.
+struct Tuning {
+    std::vector<std::string> words;  // NAME=VALUE, as written
+    std::vector<std::string> names;
+    std::vector<GpDenoiserParameter> parameters;
+};
+
 struct AnimateSettings {
     RenderSettings render;
+    Tuning tuning;
     GpFrameMode mode = GP_MODE_REALTIME;
     std::uint32_t frames = 0;  // numbers 0 .. frames - 1
     std::uint32_t start = 0;   // the first that is rendered
@@ -26,11 +35,16 @@ struct AnimateSettings {
     bool hasKeys() const { return path.ends_with(".json"); }
 };
 
-// --mode realtime and what belongs to it. The settings must outlive the parsing.
-void addRealtimeOptions(CLI::App& app, GpRealtimeOptions& options);
+// What belongs to --mode realtime, but for the denoiser. The settings must outlive the parsing.
+void addRealtimeOptions(CLI::App& app, AnimateSettings& settings);
 
-// Options of path tracing that frames of the real-time mode do not take; throws UsageError.
-void checkRealtime(const RenderSettings& settings);
+// A word of --denoiser; throws UsageError.
+GpDenoiser parseDenoiser(const std::string& word);
+
+// Gives what --tune says and the time between frames to render.options.realtime, which points into
+// the settings then. Throws UsageError where path tracing was asked for things that real time does
+// not take.
+void finishRealtime(AnimateSettings& settings);
 
 // --frames, --fps, --path and their like. The settings must outlive the parsing.
 void addMotionOptions(CLI::App& app, AnimateSettings& settings);

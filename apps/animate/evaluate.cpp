@@ -60,8 +60,16 @@ void addEvaluateOptions(CLI::App& app, EvaluateSettings& s, std::optional<std::u
             [&off](const std::string& word) {
                 off = static_cast<std::uint32_t>(parseInteger("--lamp-off", word, 1, 1u << 20));
             })->group(group);
-    s.variants.push_back({"real time", {}});
-    addRealtimeOptions(app, s.variants.front().options);
+    addWord(app, "--denoiser", "A,B,...",
+            "What to evaluate: asvgf, svgf, atrous, none, with commas between them (default asvgf)",
+            [&s](const std::string& word) {
+                s.variants.clear();
+                for (const std::string& name : splitAtCommas(word)) {
+                    s.variants.push_back({name, {}});
+                    s.variants.back().options.denoiser = parseDenoiser(name);
+                }
+            })->group("Real time");
+    addRealtimeOptions(app, s.motion);
     addCameraOptions(app, r);
     addLightOptions(app, r);
     addQualityOptions(app, r);
@@ -82,11 +90,16 @@ void checkEvaluation(EvaluateSettings& s, std::optional<std::uint32_t> off) {
         throw UsageError(
             fmt::format("--output: '{}' does not end in .html or .json", r.outputPath));
     }
-    const GpRenderOptions& o = r.options;
-    if (o.timeLimit != 0 || o.noiseTarget != 0 || o.pixelFilter != 0) {
-        throw UsageError("--time-limit, --noise, --filter: references take --spp samples");
+    finishRealtime(s.motion);
+    if (s.variants.empty()) {
+        s.variants.push_back({"asvgf", {}});
     }
-    if (o.samplesPerPixel == 0) {
+    for (Variant& variant : s.variants) {
+        const GpDenoiser denoiser = variant.options.denoiser;
+        variant.options = r.options.realtime;
+        variant.options.denoiser = denoiser;
+    }
+    if (r.options.samplesPerPixel == 0) {
         r.options.samplesPerPixel = kReferenceSamples;
     }
     if (!s.skipGiven) {

@@ -188,6 +188,7 @@ private:
             options.maxBounces = 1;
         }
         options.pixelFilter = GP_PIXEL_BOX;
+        options.realtime = {};
         options.exposureEv = static_cast<float>(m_result.exposureEv);
         options.seed += frame;
         return options;

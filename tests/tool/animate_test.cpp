@@ -1,6 +1,7 @@
 // `glitterpath animate`: files, videos, motion, numbers, interruption.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -34,8 +35,14 @@ void writeMovingScene(const std::string& path) {
 }
 
 Words animateWords(const std::string& scene, const std::string& out, const Words& more) {
-    Words words = {"animate", scene, "-o", out, "--size", "32x24", "--mode", "reference",
-                   "--spp", "2"};
+    Words words = {"animate", scene, "-o", out};
+    const std::pair<const char*, const char*> usual[] = {
+        {"--size", "32x24"}, {"--mode", "reference"}, {"--spp", "2"}};
+    for (const auto& [name, value] : usual) {
+        if (std::find(more.begin(), more.end(), name) == more.end()) {
+            words.insert(words.end(), {name, value});
+        }
+    }
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
@@ -183,6 +190,34 @@ TEST(Animate, RealTimeFramesBuildOnEachOther) {
     }
     EXPECT_GT(sum, 0.0);
     EXPECT_LE(sum, json["milliseconds_per_frame"]["mean"].get<double>());
+}
+
+TEST(Animate, RealTimeOptionsChangeThePicture) {
+    const TestFolder folder;
+    const auto render = [&](const std::string& name, const Words& more) {
+        Words words = {"animate", cornellPath(), "-o", folder(name + "%d.exr"), "--size", "32x24",
+                       "--frames", "3", "--exposure", "0"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ToolResult result = runTool(words);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return readText(folder(name + "2.exr"));
+    };
+    std::vector<std::string> pictures = {render("plain", {})};
+    EXPECT_EQ(pictures[0], render("again", {"--denoiser", "asvgf", "--aa", "temporal"}));
+    const std::vector<Words> others = {
+        {"--denoiser", "svgf"}, {"--denoiser", "none"}, {"--aa", "none"}, {"--render-scale", "0.5"},
+        {"--light-reuse", "unbiased"}, {"--tune", "direct_history_frames=2"}, {"--bounces", "2"}};
+    for (const Words& words : others) {
+        const std::string picture = render("other", words);
+        for (const std::string& seen : pictures) {
+            EXPECT_NE(picture, seen) << words[0] << " " << words[1];
+        }
+        pictures.push_back(picture);
+    }
+    const ToolResult unknown = runTool({"animate", cornellPath(), "-o", folder("x%d.exr"),
+                                        "--frames", "1", "--tune", "direct_histroy_frames=2"});
+    EXPECT_EQ(unknown.exitCode, 1);
+    EXPECT_NE(unknown.err.find("direct_history_frames"), std::string::npos) << unknown.err;
 }
 
 TEST(Animate, WrongCommandLinesSayWhatIsWrong) {

@@ -76,6 +76,9 @@ TEST(Video, HasTheFramesThatFilesHave) {
             double square = 0;
             double mean = 0;
             for (std::size_t k = 0; k < a.size(); ++k) {
+                if (k % 4 == 3) {
+                    continue;  // videos have no coverage
+                }
                 square += std::pow(a[k] - b[k], 2) / static_cast<double>(a.size());
                 mean += (b[k] - a[k]) / static_cast<double>(a.size());
             }
