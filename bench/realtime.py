@@ -5,7 +5,7 @@ import os
 from programs import ProgramFailed, run, say
 from scenes import own_scene
 
-# Name, size of the picture, what is turned on beside the defaults (A-SVGF, anti-aliasing over time).
+# Name, size of the picture, what is turned on beside the defaults (A-SVGF, anti-aliasing).
 CASES = [("corridor", "640x360", []), ("corridor", "320x180", []),
          ("corridor, light reuse", "320x180", ["--light-reuse", "biased"])]
 LARGEST = ("largest", "640x360", [])

@@ -7,8 +7,8 @@
 #define FRAMES 24
 
 /* A box between two corners, in the helper's way of OpenGL 1. */
-static GpMesh box(GpDevice device, GpImmediate im, const float* lo, const float* hi, GpMeshKind kind,
-                  GpMaterial material) {
+static GpMesh box(GpDevice device, GpImmediate im, const float* lo, const float* hi,
+                  GpMeshKind kind, GpMaterial material) {
     static const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                     {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     GpMeshDesc desc = {0};
