@@ -99,8 +99,6 @@ void ViewModel::accept(ShownPicture picture) {
         m_times.add(picture.secondsFrame);
     }
     m_picture = std::move(picture);
-    m_hoveredId = 0;
-    m_hovered.reset();  // looked up anew in the next frame
 }
 
 void ViewModel::accept(const ViewNote& note) {

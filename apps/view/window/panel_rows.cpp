@@ -15,11 +15,10 @@ void textLine(const std::string& text) {
 
 void valueRow(const std::string& name, const std::string& value) {
     ImGui::TextDisabled("%s", name.c_str());
-    ImGui::SameLine(kValueColumn);
-    if (ImGui::GetContentRegionAvail().x < 1.0f ||
-        ImGui::CalcTextSize(name.c_str()).x > kValueColumn - 12.0f) {
-        ImGui::NewLine();  // a long name has a line of its own
+    if (ImGui::CalcTextSize(name.c_str()).x < kValueColumn - 12.0f) {
         ImGui::SameLine(kValueColumn);
+    } else {
+        ImGui::SetCursorPosX(kValueColumn);  // a long name has a line of its own
     }
     textLine(value);
 }
