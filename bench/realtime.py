@@ -9,6 +9,7 @@ from scenes import own_scene
 CASES = [("corridor", "640x360", []), ("corridor", "320x180", []),
          ("corridor, light reuse", "320x180", ["--light-reuse", "biased"])]
 LARGEST = ("largest", "640x360", [])
+PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../data/paths/corridor.json")
 
 
 def frames(programs, scene, size, options, count, folder):
@@ -18,16 +19,6 @@ def frames(programs, scene, size, options, count, folder):
          "--quiet", *scene.options, *options])
     with open(out, encoding="utf-8") as file:
         return json.load(file)
-
-
-def walk(folder):
-    """Down the corridor, turning a little."""
-    path = os.path.join(folder, "walk.json")
-    keys = [{"time": 0, "position": [0.18, 1.42, 2], "target": [0.15, 1.41, 1], "fov": 52},
-            {"time": 2, "position": [-0.2, 1.42, 0], "target": [0, 1.38, -1]}]
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump({"keys": keys}, file)
-    return ["--path", path]
 
 
 def row(raw):
@@ -43,7 +34,7 @@ def realtime(programs, largest, folder, quick):
     say("real time")
     count = 16 if quick else 48
     corridor = own_scene(programs, "corridor", folder)
-    corridor.options = walk(folder)
+    corridor.options = ["--path", PATH]
     results = {}
     for name, size, options in CASES:
         results[f"{name} {size}"] = row(frames(programs, corridor, size, options, count, folder))
