@@ -2,14 +2,15 @@
 import json
 import os
 
-from programs import ProgramFailed, run, say
+from programs import run, say
 from scenes import own_scene
 
 # Name, size of the picture, what is turned on beside the defaults (A-SVGF, anti-aliasing).
 CASES = [("corridor", "640x360", []), ("corridor", "320x180", []),
          ("corridor, light reuse", "320x180", ["--light-reuse", "biased"])]
 LARGEST = ("largest", "640x360", [])
-PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../data/paths/corridor.json")
+HERE = os.path.dirname(os.path.abspath(__file__))
+PATH = os.path.join(HERE, "..", "data", "paths", "corridor.json")
 
 
 def frames(programs, scene, size, options, count, folder):
