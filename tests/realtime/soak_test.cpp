@@ -10,8 +10,11 @@
 #include "render/stage.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// What was freed is kept for a while by the sanitizer; by default so much that it looks like growth.
-extern "C" const char* __asan_default_options() { return "quarantine_size_mb=8"; }
+// What was freed is kept for a while by the sanitizer; by default so much that it looks like
+// growth.
+extern "C" [[gnu::visibility("default")]] const char* __asan_default_options() {
+    return "quarantine_size_mb=8";
+}
 #endif
 
 namespace gp::test {
