@@ -121,7 +121,9 @@ void addTap(const AtrousRow& row, const AtrousRow& tap, int dx, bool diagonal, i
     const float kernel = diagonal ? 0.25f : 0.5f;
     const float* depthStops = run.depthStops[diagonal ? 1 : 0];
     const int to = atrousMargin + dx;
+#if !defined(__clang__)  // which knows it by other words, and does without
 #pragma GCC ivdep
+#endif
     for (int i = 0; i < count; ++i) {
         const int own = i + atrousMargin, at = i + to;
         const float bend = 1.0f - (tap.normal[0][at] * row.normal[0][own] +
