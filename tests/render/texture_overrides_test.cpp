@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "render/stage.h"
 
@@ -18,7 +19,10 @@ float decoded(float c) {
 
 class TextureOverrides : public ::testing::TestWithParam<Variant> {
 protected:
-    TextureOverrides() : stage(GetParam()), folder(::testing::TempDir() + "gp_overrides") {
+    // Each test is a process of its own, and several run at once.
+    TextureOverrides()
+        : stage(GetParam()),
+          folder(::testing::TempDir() + "gp_overrides" + std::to_string(getpid())) {
         fs::remove_all(folder);
         fs::create_directories(folder + "/walls");
         GpTextureOverrides overrides{};
