@@ -39,7 +39,7 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     shared::RealtimeConstants c{};
     c.size = views.size[size_t(RealtimeSize::FULL)];
     c.output_size = views.size[size_t(RealtimeSize::OUTPUT)];
-    c.jitter = jitter_, c.previous_jitter = previousJitter_;
+    c.jitter = jitter_;
     c.frame_index = index_;
     c.has_previous = hasPrevious;
     c.mirror_limit = plan.mirrorLimit;
@@ -48,7 +48,6 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
     c.light_reuse = uint32_t(plan.lightReuse);
     c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
-    c.time_seconds = plan.timeStep;
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = plan.parameters.name;
 #include "shared/denoiser_parameters.def"
@@ -81,7 +80,6 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
     }
     motion_.compare(scene, backendScene.lights());
-    previousJitter_ = jitter_;
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
     images_.filtered = plan.denoiser != Denoiser::none;

@@ -47,7 +47,7 @@ private:
     SceneMotion motion_;
     std::optional<Camera> previousCamera_;
     std::array<float, 3> lightVisibility_{1, 1, 1};
-    glm::vec2 jitter_{0}, previousJitter_{0};
+    glm::vec2 jitter_{0};
     uint32_t index_ = 0;
     Eye eye_;
 };

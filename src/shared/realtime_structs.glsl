@@ -10,7 +10,6 @@
 #define REALTIME_SKY 1u
 #define REALTIME_NO_HISTORY 2u    // nothing is known of where it was
 #define REALTIME_UNLIT 4u         // no light of the three channels reaches it
-#define REALTIME_FIRST_PERSON 8u
 
 // How shadow rays choose among lights that are not directional.
 #define LIGHT_REUSE_NONE 0u      // each by itself
@@ -46,19 +45,15 @@ struct RealtimeConstants {
     ivec2 size;              // of rays and denoising
     ivec2 output_size;
     vec2 jitter;             // of this frame's rays, pixels from the centre
-    vec2 previous_jitter;
     uint frame_index;        // grows by one a frame
     uint has_previous;       // 0: the first frame, or one after a cut
     uint mirror_limit;       // of reflections and refractions before the surface that is shown
     uint repeats_draws;      // 1: a pixel of each block repeats the draws of the last frame
     uint previous_instances; // how many the last frame had
-    float time_seconds;      // since the last frame
     uint resolves;           // 1: anti-aliasing over time, or upscaling; 0: a copy
     uint light_reuse;        // LIGHT_REUSE_
     uint previous_lights;    // how many the last frame had
     uint relights;           // 1: a denoiser has run over the indirect light
-    uint pad0;
-    uint pad1;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"
 #undef X

@@ -9,6 +9,6 @@ namespace gp::shared {
 using namespace glm;
 #include "shared/realtime_structs.glsl"
 
-static_assert(offsetof(RealtimeConstants, frame_index) == 32);
-static_assert(offsetof(RealtimeConstants, direct_history_frames) == 80);
+static_assert(offsetof(RealtimeConstants, frame_index) == 24);
+static_assert(offsetof(RealtimeConstants, direct_history_frames) == 60);
 }  // namespace gp::shared
