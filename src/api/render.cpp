@@ -229,6 +229,9 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         plan.lastByLights = true;
         realtime.frame = plan;
         setSizes(realtime, options, {plan.width, plan.height});
+        // Another scene may have the same ids for other things.
+        realtime.resetHistory |= frame.scene.lock() != scene;
+        frame.scene = scene;
         frame.statistics.secondsBuild = build(*scene);
         const RealtimeResult result = renderRealtime(frame, *scene, realtime);
         frame.camera = plan.camera;

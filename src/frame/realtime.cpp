@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "frame/compose.h"
@@ -72,6 +73,9 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     RealtimeResult result;
     resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
     if (plan.resetHistory) cut();
+    // What another denoiser left, or frames without reuse did not write, is no history.
+    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
+    denoiser_ = plan.denoiser, lightReuse_ = plan.lightReuse;
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
@@ -103,7 +107,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         backend.runDenoisePass(job, pass);
         const double time = millisecondsSince(passStart);
         for (PassTime& earlier : result.passes)
-            if (earlier.name == pass.name) {
+            if (std::string_view(earlier.name) == pass.name) {
                 earlier.milliseconds += time;
                 return;
             }

@@ -49,6 +49,8 @@ private:
     std::array<float, 3> lightVisibility_{1, 1, 1};
     glm::vec2 jitter_{0};
     uint32_t index_ = 0;
+    Denoiser denoiser_ = Denoiser::none;      // of the last frame
+    LightReuse lightReuse_ = LightReuse::none;
     Eye eye_;
 };
 

@@ -135,6 +135,26 @@ TEST(RealtimeFrame, TheSameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
     }
 }
 
+TEST(RealtimeFrame, AnotherDenoiserOrSceneBeginsAnew) {
+    Shown s;
+    const size_t middle = height / 2 * width + width / 2;
+    const auto frames = [&] { return 255 * s.layer("history_length")[middle].x; };
+    GpRealtimeOptions o{};
+    for (int i = 0; i < 4; ++i) s.render(o);
+    EXPECT_GT(frames(), 1.5f);
+    o.denoiser = GP_DENOISER_SVGF;
+    s.render(o);
+    EXPECT_NEAR(frames(), 1, 0.1f);
+    for (int i = 0; i < 3; ++i) s.render(o);
+    EXPECT_GT(frames(), 1.5f);
+    s.stage.scene = gpNewScene(s.stage.device);
+    Triangles ball;
+    ball.sphere({0, 0, 0}, 1, 12, false, true);
+    s.stage.add(ball, s.stage.lambert({0.8f, 0.4f, 0.2f}));
+    s.render(o);
+    EXPECT_NEAR(frames(), 1, 0.1f);
+}
+
 TEST(RealtimeFrame, RendersNothingOnTheNullBackend) {
     Shown s(GP_BACKEND_NULL);
     s.render();

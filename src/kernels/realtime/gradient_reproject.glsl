@@ -60,8 +60,9 @@ PastPixel find_past_pixel(ivec2 pixel) {
     return past;
 }
 
-// The pixel shows the very point that `past` showed, where it is now.
-void repeat_surface(ivec2 pixel, ivec2 past) {
+// The pixel shows the very point that `past` showed, where it is now; false if that has turned
+// away.
+bool repeat_surface(ivec2 pixel, ivec2 past) {
     Sampler draws = realtime_draws(past, load_realtime().frame_index - 1u);
     draws.dimension = CAMERA_DRAWS;
     Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
@@ -73,13 +74,14 @@ void repeat_surface(ivec2 pixel, ivec2 past) {
                                     draw_at(draws, 0u, DRAW_OTHERS).x);
     // What has turned away is not what the camera sees there.
     if ((dot(at.s.ng, octahedral_decode(load_view(pixel))) >= 0.0f ? 1u : 0u) != at.s.front) {
-        return;
+        return false;
     }
     PixelView seen;
     seen.image = mirror_image_identity();
     seen.emission = shown_emission(at.p);
     seen.mirrors = 0u;
     store_surface(pixel, seen, hit, at.s, at.p, wo, vec3(1.0f));
+    return true;
 }
 
 // Bits 0-3: 1 + the pixel's number in its block, 0: none; bits 4-17 and 18-31: x and y of the past
@@ -101,7 +103,7 @@ void realtime_gradient_reproject(ivec2 block) {
             code = (i + 1u) | (uint(past.at.x) << 4u) | (uint(past.at.y) << 18u);
         }
     }
-    if (code != 0u) { repeat_surface(pixel, past_at); }
+    if (code != 0u && !repeat_surface(pixel, past_at)) { code = 0u; }
     store_gradient_sample(block, code);
 }
 
