@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "frame/heat_maps.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
@@ -29,11 +30,14 @@ struct RealtimeResult {
 // What a frame of the application's remembers.
 class RealtimeFrame {
 public:
-    // Does nothing where the sizes are as they were; else history is forgotten.
-    void resize(glm::ivec2 full, glm::ivec2 output);
+    // Does nothing where the sizes are as they were. Another size of rays alone keeps history, on
+    // other pixels; another size of the picture forgets it. Returns whether pixels are others.
+    bool resize(glm::ivec2 full, glm::ivec2 output);
     // The next frame knows nothing of the ones before.
     void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }
+    const HeatMaps& heat() const { return heat_; }
+    uint64_t bytes() const { return images_.bytes() + heat_.bytes(); }
 
     // One frame, into images() and `picture`. When cancelled or failing, history is forgotten.
     RealtimeResult render(Backend& backend, const BackendScene& backendScene, const Scene& scene,
@@ -44,6 +48,7 @@ private:
     shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious) const;
 
     RealtimeImages images_;
+    HeatMaps heat_;
     SceneMotion motion_;
     std::optional<Camera> previousCamera_;
     std::array<float, 3> lightVisibility_{1, 1, 1};

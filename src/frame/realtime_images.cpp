@@ -1,5 +1,6 @@
 #include "frame/realtime_images.h"
 
+#include <cstring>
 #include <utility>
 
 namespace gp {
@@ -40,6 +41,11 @@ uint32_t bytesPerPixel(RealtimeFormat format) {
     }
 }
 
+glm::ivec2 nearestPixel(glm::ivec2 pixel, glm::ivec2 size, glm::ivec2 otherSize) {
+    return {int((int64_t(2 * pixel.x) + 1) * otherSize.x / (2 * size.x)),
+            int((int64_t(2 * pixel.y) + 1) * otherSize.y / (2 * size.y))};
+}
+
 glm::ivec2 RealtimeImages::size(RealtimeImage image) const {
     return views_.size[size_t(realtimeImageInfo(image).size)];
 }
@@ -63,6 +69,26 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
     current_.swap(current), previous_.swap(previous);
     views_ = views;
     lend();
+}
+
+void RealtimeImages::rescale(glm::ivec2 full) {
+    RealtimeImages next;
+    next.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)]);
+    for (size_t i = 0; i < realtimeImageCount; ++i) {
+        if (infos[i].copies < 2) continue;
+        const glm::ivec2 from = views_.size[size_t(infos[i].size)];
+        const glm::ivec2 to = next.views_.size[size_t(infos[i].size)];
+        const size_t bytes = gp::bytesPerPixel(infos[i].format);
+        std::byte* out = next.current_[i].data();
+        for (int y = 0; y < to.y; ++y)
+            for (int x = 0; x < to.x; ++x, out += bytes) {
+                const glm::ivec2 p = nearestPixel({x, y}, to, from);
+                const size_t index = size_t(p.y) * size_t(from.x) + size_t(p.x);
+                std::memcpy(out, current_[i].data() + index * bytes, bytes);
+            }
+    }
+    next.filtered = filtered;
+    *this = std::move(next);
 }
 
 void RealtimeImages::lend() {

@@ -37,6 +37,8 @@ struct RealtimeImageInfo {
 };
 const RealtimeImageInfo& realtimeImageInfo(RealtimeImage image);
 uint32_t bytesPerPixel(RealtimeFormat format);
+// The pixel of an image of `otherSize` that lies under the middle of `pixel` in one of `size`.
+glm::ivec2 nearestPixel(glm::ivec2 pixel, glm::ivec2 size, glm::ivec2 otherSize);
 
 // Where the kernels find the pixels, row after row; `previous` is null where there is one copy.
 struct RealtimeViews {
@@ -49,6 +51,9 @@ class RealtimeImages {
 public:
     // `full`: of rays; `output`: of the picture. All zeros. Throws std::bad_alloc.
     void resize(glm::ivec2 full, glm::ivec2 output);
+    // Another size of rays for the same picture: what the last frame wrote stays, each new pixel
+    // taking that of the nearest old one. Throws std::bad_alloc, and nothing has changed.
+    void rescale(glm::ivec2 full);
     // What this frame writes becomes what the next one remembers.
     void swap();
     const RealtimeViews& views() const { return views_; }

@@ -42,8 +42,10 @@ struct Shown {
 
 TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
     Shown s;
-    s.render();
-    s.render();
+    GpRealtimeOptions o{};
+    o.heatMaps = 1;
+    s.render(o);
+    s.render(o);
     uint32_t count = 0;
     const char *name, *meaning;
     while (gpGetFrameLayerInfo(count, &name, &meaning) == GP_SUCCESS) {
