@@ -180,6 +180,10 @@ size_t layerNamed(const char* name) {
 
 void readLayer(const RealtimeFrame& frame, size_t layer, glm::vec4* pixels) {
     if (layer < realtimeLayerCount) {
+        if (!frame.images().holds(RealtimeImage(layer)))
+            fail(GP_ERROR_INVALID_OPERATION,
+                 "the frame has no layer \"{}\": its options (lightReuse, denoiser) make none",
+                 layerName(layer));
         readRealtimeLayer(frame.images(), RealtimeImage(layer), pixels);
         return;
     }

@@ -56,16 +56,18 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     return c;
 }
 
-bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
+bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse) {
     const RealtimeViews& views = images_.views();
-    const bool sameOutput = views.size[size_t(RealtimeSize::OUTPUT)] == output;
-    if (sameOutput && views.size[size_t(RealtimeSize::FULL)] == full) return false;
-    if (sameOutput && previousCamera_) {
+    const bool reuses = lightReuse != LightReuse::none;
+    const bool same = views.size[size_t(RealtimeSize::OUTPUT)] == output &&
+                      images_.holds(RealtimeImage::reservoir) == reuses;
+    if (same && views.size[size_t(RealtimeSize::FULL)] == full) return false;
+    if (same && previousCamera_) {
         images_.rescale(full);
         return true;
     }
     cut();
-    images_.resize(full, output);
+    images_.resize(full, output, reuses);
     return true;
 }
 
@@ -75,8 +77,8 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
-    const bool resized =
-        resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
+    const bool resized = resize({int(plan.frame.width), int(plan.frame.height)},
+                                glm::ivec2(plan.outputSize), plan.lightReuse);
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
