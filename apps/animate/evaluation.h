@@ -55,7 +55,8 @@ struct Evaluation {
 };
 
 // Pictures are compared as they are shown: exposed, tone mapped, 8 bits, with textures and all;
-// the reference is two pictures of half of the samples. Returns nothing when it was interrupted. Throws RunError.
+// the reference is two pictures of half of the samples. Returns nothing when it was interrupted.
+// Throws RunError.
 std::optional<Evaluation> evaluateVariants(GpDevice device, const EvaluateSettings& settings);
 
 // The mean of the frames that count; `first` is the number of the first value's frame.

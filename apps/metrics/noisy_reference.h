@@ -16,7 +16,7 @@ struct ReferencePair {
 };
 
 struct NoisyComparison {
-    double mse = 0;   // of linear values; without the noise of the references, so it may be negative
+    double mse = 0;   // of linear values, without the references' noise: it may be negative
     double ssim = 1;  // of sRGB-encoded luma; without the noise of the references
     FlipResult flip;  // against the mean of the references, whose noise is in it
 };
