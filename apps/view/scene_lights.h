@@ -50,7 +50,8 @@ const char* intensityUnit(GpLightKind kind);
 
 // What a person may set of a light, by name, as scripts write it: "on" (on, off), "color" (R,G,B),
 // "intensity", "position" (X,Y,Z), "direction" (X,Y,Z), "radius", "angular-radius" (degrees),
-// "cone" (degrees, from the axis), "width", "height" (metres). Throws UsageError for what this kind of light lacks, too.
+// "cone" (degrees, from the axis), "width", "height" (metres). Throws UsageError, for what this
+// kind of light lacks, too.
 void setLightField(SceneLight& light, const std::string& field, const std::string& value);
 
 }  // namespace gp::tool::view
