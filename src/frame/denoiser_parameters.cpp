@@ -13,7 +13,7 @@ constexpr DenoiserParameterInfo infos[] = {
 // Names tell: the first row whose words a name begins and ends with. What stands in none is of all
 // denoisers that filter.
 struct User {
-    std::string_view begin, end, user;
+    std::string_view begin, end, user, another = {};
 };
 constexpr User users[] = {
     {"reuse_", "", "light reuse"},
@@ -21,6 +21,7 @@ constexpr User users[] = {
     {"svgf_", "", "svgf"},
     {"", "_history_frames", "asvgf"},
     {"", "_antilag", "asvgf"},
+    {"filter_luminance", "", "asvgf", "svgf"},  // one frame alone knows no deviation
 };
 
 }  // namespace
@@ -28,7 +29,10 @@ constexpr User users[] = {
 std::vector<std::string_view> usersOf(const DenoiserParameterInfo& parameter) {
     const std::string_view name = parameter.name;
     for (const User& row : users)
-        if (name.starts_with(row.begin) && name.ends_with(row.end)) return {row.user};
+        if (name.starts_with(row.begin) && name.ends_with(row.end)) {
+            if (row.another.empty()) return {row.user};
+            return {row.user, row.another};
+        }
     return {"asvgf", "svgf", "atrous"};
 }
 
