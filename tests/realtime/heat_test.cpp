@@ -108,7 +108,7 @@ TEST(HeatMaps, TimeIsThatOfThePasses) {
     double passes = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const std::string name = times[i].name;
-        if (name == "primary" || name == "lighting" || name == "composite")
+        if (name == "primary" || name == "lighting")
             passes += 1e3 * times[i].milliseconds;
     }
     // One thread: pixels share its time, but for what lies between them.
