@@ -14,8 +14,12 @@ void indirect_upsample(ivec2 pixel, int) {
     EdgeTest s;
     s.material = load_material(pixel);
     s.depth = load_depth(pixel);
-    if (!pixel_is_lit(s.material, s.depth)) { return; }
-    s.normal = octahedral_decode(load_normal(pixel).y);
+    if (!pixel_is_lit(s.material, s.depth)) {
+        store_indirect(pixel, vec4(0.0f));
+        store_indirect_chroma(pixel, vec2(0.0f));
+        return;
+    }
+    s.normal = octahedral_decode(load_unmapped_normal(pixel));
     s.slope = finite_or_zero(load_motion(pixel).w);
     vec2 position = (vec2(pixel) - 1.0f) * (1.0f / 3.0f);
     vec2 corner = floor(position);

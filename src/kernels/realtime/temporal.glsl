@@ -31,7 +31,7 @@ bool history_belongs(ivec2 at, IN(EdgeTest) s, float allowance) {
     uint material = load_previous_material(at);
     if (((material ^ s.material) & MATERIAL_SURFACE_BITS) != 0u) { return false; }
     if (!(abs(load_previous_depth(at) - s.depth) <= allowance)) { return false; }
-    return dot(octahedral_decode(load_previous_normal(at).y), s.normal) >= c.history_normal;
+    return dot(octahedral_decode(load_previous_unmapped_normal(at)), s.normal) >= c.history_normal;
 }
 
 // The mean of the four pixels around `position` that belong to the surface.
@@ -53,9 +53,9 @@ History history_at(vec2 position, IN(EdgeTest) s, float moved) {
                        ((i & 2) != 0 ? part.y : 1.0f - part.y);
         if (weight < 1.0e-3f || !pixel_is_inside(at, c.size)) { continue; }
         if (!history_belongs(at, s, allowance)) { continue; }
-        vec4 frames = load_previous_history_length(at);
-        h.direct += load_previous_direct_history(at) * weight;
-        h.specular += load_previous_specular_history(at) * weight;
+        vec2 frames = load_previous_history_length(at);
+        h.direct += load_direct_history(at) * weight;
+        h.specular += load_specular_history(at) * weight;
         h.direct_frames += frames.x * weight;
         h.specular_frames += frames.y * weight;
         sum += weight;
@@ -151,14 +151,14 @@ void temporal_filter(ivec2 pixel, int mode) {
     s.material = load_material(pixel);
     s.depth = load_depth(pixel);
     if (!pixel_is_lit(s.material, s.depth)) {
-        store_direct_other(pixel, direct);
-        store_specular_other(pixel, specular);
-        store_history_length(pixel, vec4(0.0f));
+        store_direct(pixel, direct);
+        store_specular(pixel, specular);
+        store_history_length(pixel, vec2(0.0f));
         return;
     }
     vec4 motion = finite_or_zero_4(load_motion(pixel));
     s.slope = motion.w;
-    s.normal = octahedral_decode(load_normal(pixel).y);
+    s.normal = octahedral_decode(load_unmapped_normal(pixel));
     Neighbours around = load_neighbours(pixel, s);
     History h = no_history();
     if (mode != TEMPORAL_NONE && c.has_previous != 0u &&
@@ -184,9 +184,9 @@ void temporal_filter(ivec2 pixel, int mode) {
     now.change = change.z;
     Accumulated r = temporal_channel(now, h.specular, h.specular_frames, limit.y,
                                      around.brightest.y, around.count);
-    store_direct_other(pixel, d.light);
-    store_specular_other(pixel, r.light);
-    store_history_length(pixel, vec4(d.frames, r.frames, 0.0f, 0.0f) * (1.0f / 255.0f));
+    store_direct(pixel, d.light);
+    store_specular(pixel, r.light);
+    store_history_length(pixel, vec2(d.frames, r.frames) * (1.0f / 255.0f));
 }
 
 #endif

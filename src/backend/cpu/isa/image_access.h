@@ -118,6 +118,29 @@ struct FormatPOSITIVE3 {
     static constexpr size_t bytes = 4;
 };
 
+struct FormatRGB9E5 {
+    using Value = vec3;
+    static vec3 read(const std::byte* p) {
+        return rgb9e5_decode(*reinterpret_cast<const uint*>(p));
+    }
+    static void write(std::byte* p, vec3 v) { *reinterpret_cast<uint*>(p) = rgb9e5_encode(v); }
+    static constexpr size_t bytes = 4;
+};
+
+struct FormatUNORM2 {
+    using Value = vec2;
+    static vec2 read(const std::byte* p) {
+        const uint8_t* u = reinterpret_cast<const uint8_t*>(p);
+        return vec2(float(u[0]), float(u[1])) * (1.0f / 255.0f);
+    }
+    static void write(std::byte* p, vec2 v) {
+        uint8_t* u = reinterpret_cast<uint8_t*>(p);
+        for (int i = 0; i < 2; ++i)
+            u[i] = uint8_t(std::min(std::max(v[i], 0.0f), 1.0f) * 255.0f + 0.5f);
+    }
+    static constexpr size_t bytes = 2;
+};
+
 struct FormatUNORM4 {
     using Value = vec4;
     static vec4 read(const std::byte* p) {
@@ -145,7 +168,7 @@ struct ImageAccess {
 
     explicit ImageAccess(const RealtimeViews& views) : images(views) {}
 
-#define X(name, format, size, copies, meaning)                                                   \
+#define X(name, format, size, copies, memory, meaning)                                           \
     Format##format::Value load_##name(ivec2 p) const {                                           \
         return Format##format::read(images.current[size_t(RealtimeImage::name)] +                \
                                     imageOffset<Format##format, RealtimeSize::size>(images, p)); \
