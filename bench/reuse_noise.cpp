@@ -2,7 +2,8 @@
 // numbers of docs/realtime.md.
 //     reuse_noise SCENE.glb [--size WxH] [--frames N] [--runs N] [--step METRES] [--spp N]
 // The camera is the scene's first (or shows it all) and goes aside by --step a frame, so that it
-// ends where the reference is taken: the mean of --spp plain frames from there.
+// ends where the reference is taken: the mean of --spp plain frames from there, whose own noise is
+// taken off the errors.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -45,13 +46,17 @@ double meanOf(const Light& light) {
     return sum / double(light.size());
 }
 
+struct Reference {
+    Light mean, variance;  // the latter of the mean
+};
+
 // Squared errors over squares; what is darker than a tenth of the mean counts as so bright.
-double relativeError(const Light& light, const Light& reference) {
-    const double floor = 0.1 * meanOf(reference);
+double relativeError(const Light& light, const Reference& reference) {
+    const double floor = 0.1 * meanOf(reference.mean);
     double sum = 0;
     for (size_t i = 0; i < light.size(); ++i) {
-        const double error = light[i] - reference[i];
-        sum += error * error / (reference[i] * reference[i] + floor * floor);
+        const double expected = reference.mean[i], error = light[i] - expected;
+        sum += (error * error - reference.variance[i]) / (expected * expected + floor * floor);
     }
     return sum / double(light.size());
 }
@@ -76,14 +81,20 @@ public:
 
     void reference() {
         gp::Frame frame(device_, s_.width, s_.height, GP_MODE_REALTIME);
-        reference_.assign(pixels(), 0);
+        reference_ = {Light(pixels()), Light(pixels())};
         for (uint32_t i = 0; i < s_.spp; ++i) {
             GpRenderOptions o = options(GP_REUSE_NONE, GP_DENOISER_NONE);
             o.seed = 1u << 20 | i, o.realtime.resetHistory = 1;
             frame.render(scene_, camera_, o);
             const Light light = indirectOf(frame);
-            for (size_t p = 0; p < light.size(); ++p) reference_[p] += light[p] / s_.spp;
+            for (size_t p = 0; p < light.size(); ++p) {
+                reference_.mean[p] += light[p] / s_.spp;
+                reference_.variance[p] += light[p] * light[p] / s_.spp;
+            }
         }
+        for (size_t p = 0; p < pixels(); ++p)
+            reference_.variance[p] =
+                (reference_.variance[p] - reference_.mean[p] * reference_.mean[p]) / (s_.spp - 1);
     }
 
     Measured measure(GpLightReuse reuse, GpDenoiser denoiser) {
@@ -100,7 +111,7 @@ public:
             }
             const Light light = indirectOf(frame);
             m.error += relativeError(light, reference_) / runs;
-            m.brightness += meanOf(light) / meanOf(reference_) / runs;
+            m.brightness += meanOf(light) / meanOf(reference_.mean) / runs;
             const GpFrameStatistics statistics = frame.statistics();
             m.rays += double(statistics.cameraRays + statistics.bounceRays +
                              statistics.shadowRays) / double(pixels()) / runs;
@@ -129,7 +140,7 @@ private:
     GpCameraDesc camera_{};
     std::vector<std::string> names_;
     std::vector<GpDenoiserParameter> parameters_;
-    Light reference_;
+    Reference reference_;
 };
 
 void run(const Settings& s) {
@@ -159,7 +170,7 @@ int main(int argc, char** argv) {
     app.add_option("--size", size);
     app.add_option("--frames", s.frames)->check(CLI::Range(1u, 10000u));
     app.add_option("--runs", s.runs)->check(CLI::Range(1u, 10000u));
-    app.add_option("--spp", s.spp)->check(CLI::Range(1u, 1000000u));
+    app.add_option("--spp", s.spp)->check(CLI::Range(2u, 1000000u));
     app.add_option("--step", s.step);
     app.add_option("--tune", s.tuning);
     CLI11_PARSE(app, argc, argv);

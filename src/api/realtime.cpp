@@ -191,7 +191,8 @@ GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t 
         const gp::RealtimeImage which = layerNamed(name);
         if (!f.realtime->images().holds(which))
             fail(GP_ERROR_INVALID_OPERATION,
-                 "the frame has no layer \"{}\": its options (lightReuse, denoiser) make none",
+                 "the frame has no layer \"{}\": its options (lightReuse, indirectReuse, denoiser) "
+                 "make none",
                  name);
         const size_t needed = f.images.pixelCount() * sizeof(glm::vec4);
         if (size < needed)

@@ -63,7 +63,7 @@ TEST(RealtimeFrame, LayersThatTheOptionsDoNotMakeAreAnError) {
     plain.denoiser = GP_DENOISER_NONE;
     s.render(plain);
     std::vector<glm::vec4> pixels(width * height);
-    for (const char* name : {"reservoir", "indirect"}) {
+    for (const char* name : {"reservoir", "indirect_reservoir_hit", "indirect"}) {
         EXPECT_EQ(gpReadFrameLayer(s.frame, name, &pixels[0].x, pixels.size() * 16),
                   GP_ERROR_INVALID_OPERATION);
         const char* message = "";
