@@ -64,10 +64,8 @@ AtrousStops atrous_stops(ivec2 pixel, int iteration, uint material, float depth,
     LET_REF(RealtimeConstants) c = load_realtime();
     AtrousStops s;
     float step = float(1 << iteration);
-    s.surface.material = material;
-    s.surface.depth = depth;
-    s.surface.normal = octahedral_decode(load_normal(pixel));
-    s.surface.slope = finite_or_zero(load_motion(pixel).w);
+    s.surface = edge_test(material, depth, finite_or_zero(load_motion(pixel).w),
+                          load_normal(pixel));
     s.depth_straight = 1.0f / depth_allowance(depth, s.surface.slope, step, c.filter_depth);
     s.depth_diagonal =
         1.0f / depth_allowance(depth, s.surface.slope, 2.0f * step, c.filter_depth);
@@ -89,7 +87,7 @@ vec2 atrous_weights(ivec2 at, int iteration, IN(AtrousStops) s, float depth_stop
     LET_REF(RealtimeConstants) c = load_realtime();
     uint material = load_material(at);
     if (((material ^ s.surface.material) & MATERIAL_SURFACE_BITS) != 0u) { return vec2(0.0f); }
-    float bend = 1.0f - dot(octahedral_decode(load_normal(at)), s.surface.normal);
+    float bend = 1.0f - normal_cosine(s.surface, load_normal(at));
     float apart = abs(load_depth(at) - s.surface.depth) * depth_stop;
     float direct = abs(luminance(vec3(atrous_direct(at, iteration))) - s.direct_luma);
     float specular = abs(luminance(vec3(atrous_specular(at, iteration))) - s.specular_luma);

@@ -56,8 +56,7 @@ BlockSum block_sum(ivec2 block, IN(EdgeTest) s, int without) {
         if (i == without || !pixel_is_inside(at, c.size)) { continue; }
         if (((load_material(at) ^ s.material) & MATERIAL_SURFACE_BITS) != 0u) { continue; }
         if (!(abs(load_depth(at) - s.depth) <= allowance)) { continue; }
-        vec3 normal = octahedral_decode(load_unmapped_normal(at));
-        if (dot(normal, s.normal) < c.history_normal) { continue; }
+        if (normal_cosine(s, load_unmapped_normal(at)) < c.history_normal) { continue; }
         vec3 raw = ycocg_from_rgb(load_indirect_raw(at));
         BlockLight b;
         b.light = vec4(raw.x, octahedral_decode(load_indirect_from(at)) * raw.x);
@@ -112,7 +111,7 @@ BlockLight block_history(vec2 position, IN(EdgeTest) s) {
         if (weight < 1.0e-3f || !pixel_is_inside(at, size)) { continue; }
         uvec2 guide = load_previous_indirect_guide(at);
         if (!(abs(uintBitsToFloat(guide.x) - s.depth) <= allowance)) { continue; }
-        if (dot(octahedral_decode(guide.y), s.normal) < c.history_normal) { continue; }
+        if (normal_cosine(s, guide.y) < c.history_normal) { continue; }
         h.light += load_indirect_history(at) * weight;
         h.chroma += load_indirect_history_chroma(at) * weight;
         sum += weight;
@@ -154,11 +153,7 @@ void indirect_temporal(ivec2 block, int mode) {
     }
     uint normal = load_unmapped_normal(pixel);
     vec4 motion = finite_or_zero_4(load_motion(pixel));
-    EdgeTest s;
-    s.material = load_material(pixel);
-    s.depth = load_depth(pixel);
-    s.slope = motion.w;
-    s.normal = octahedral_decode(normal);
+    EdgeTest s = edge_test(load_material(pixel), load_depth(pixel), motion.w, normal);
     store_indirect_guide(block, uvec2(floatBitsToUint(s.depth), normal));
     BlockLight history = no_block_light();
     if (mode != TEMPORAL_NONE && c.has_previous != 0u &&
