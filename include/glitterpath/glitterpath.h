@@ -762,6 +762,10 @@ typedef struct GpRealtimeOptions {
     GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
+    GpLightReuse indirectReuse; /* the same for light of surfaces: pixels hand on where their bounce
+                               rays arrived and the light that shone there [Ouyang et al. 2021,
+                               "ReSTIR GI"]. Light of further bounces, and smooth lobes, are not
+                               handed on. A change forgets history */
 } GpRealtimeOptions;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
