@@ -86,7 +86,8 @@ void prepare(const CLI::App& app, AnimateSettings& s) {
         finishRealtime(s);
     } else {
         for (const char* name :
-             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse", "--tune"}) {
+             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse",
+              "--indirect-reuse", "--tune"}) {
             if (app.count(name) > 0) {
                 throw UsageError(fmt::format("{}: only with --mode realtime", name));
             }

@@ -11,7 +11,7 @@ namespace gp::tool::view {
 struct DenoiserNumber {
     std::string name, meaning;
     float initial = 0, low = 0, high = 1;
-    std::vector<std::string> usedBy;  // denoisers, "light reuse", "anti-aliasing"
+    std::vector<std::string> usedBy;  // denoisers, "light reuse", ...
 };
 
 struct DenoiserFacts {

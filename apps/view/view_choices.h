@@ -30,7 +30,7 @@ struct EyeChoices {
 struct RealtimeChoices {
     float renderScale = 1;                    // at most; less where time is short
     GpDenoiser denoiser = GP_DENOISER_ASVGF;
-    GpLightReuse lightReuse = GP_REUSE_NONE;
+    GpLightReuse lightReuse = GP_REUSE_NONE, indirectReuse = GP_REUSE_NONE;
     std::map<std::string, float> numbers;     // of the denoisers, those that are not by default
     EyeChoices eye;
     GpAntiAliasing antiAliasing = GP_AA_TEMPORAL;

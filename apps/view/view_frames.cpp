@@ -47,6 +47,7 @@ void addRealtimeOptions(const RealtimeChoices& choices, bool isCut,
                         GpRenderOptions& options) {
     options.realtime.denoiser = choices.denoiser;
     options.realtime.lightReuse = choices.lightReuse;
+    options.realtime.indirectReuse = choices.indirectReuse;
     options.realtime.parameters = parameters.data();
     options.realtime.parameterCount = static_cast<std::uint32_t>(parameters.size());
     options.realtime.eyeAdaptation.seconds = choices.eye.seconds;

@@ -170,6 +170,10 @@ const std::vector<std::pair<std::string, Setter>>& setters() {
          [](ViewModel& m, const std::string& name, const std::string& word) {
              m.choices().realtime.lightReuse = parseChoice(name, word, kLightReuseWords);
          }},
+        {"indirect-reuse",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.indirectReuse = parseChoice(name, word, kLightReuseWords);
+         }},
         {"eye-adaptation",
          [](ViewModel& m, const std::string& name, const std::string& word) {
              m.choices().realtime.eye.seconds =

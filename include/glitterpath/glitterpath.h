@@ -769,6 +769,10 @@ typedef struct GpRealtimeOptions {
     GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
+    GpLightReuse indirectReuse; /* the same for light of surfaces: pixels hand on where their bounce
+                               rays arrived and the light that shone there [Ouyang et al. 2021,
+                               "ReSTIR GI"]. Light of further bounces, and smooth lobes, are not
+                               handed on. A change forgets history */
     int32_t heatMaps;       /* not 0: makes the layers heat_rays and heat_time (gpReadFrameLayer);
                                8 bytes for each pixel of rays, and some time */
 } GpRealtimeOptions;
@@ -870,8 +874,8 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * denoiser: else GP_ERROR_INVALID_OPERATION. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
 /* The denoisers by name, and all their parameters with name, default, range, meaning and who looks
- * at them (`used_by`: denoisers, "light reuse", "anti-aliasing"), as a JSON text; sizes as in
- * gpDescribeScene. */
+ * at them (`used_by`: denoisers, "light reuse", "indirect reuse", "anti-aliasing"), as a JSON text;
+ * sizes as in gpDescribeScene. */
 GP_API GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed);
 /* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
  * Needs no device. */

@@ -83,7 +83,7 @@ DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 && o.indirectReuse == 0 &&
            o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
            o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0 && o.heatMaps == 0;
 }
@@ -97,6 +97,8 @@ RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
     plan.lightReuse =
         LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.indirectReuse =
+        LightReuse(checkEnum(o.realtime.indirectReuse, 3, "options.realtime.indirectReuse"));
     plan.denoiser = Denoiser(checkEnum(o.realtime.denoiser, denoiserCount,
                                        "options.realtime.denoiser"));
     plan.parameters = parametersFrom(o.realtime);
@@ -182,7 +184,8 @@ void readLayer(const RealtimeFrame& frame, size_t layer, glm::vec4* pixels) {
     if (layer < realtimeLayerCount) {
         if (!frame.images().holds(RealtimeImage(layer)))
             fail(GP_ERROR_INVALID_OPERATION,
-                 "the frame has no layer \"{}\": its options (lightReuse, denoiser) make none",
+                 "the frame has no layer \"{}\": its options (lightReuse, indirectReuse, denoiser) "
+                 "make none",
                  layerName(layer));
         readRealtimeLayer(frame.images(), RealtimeImage(layer), pixels);
         return;

@@ -17,6 +17,7 @@ struct User {
 };
 constexpr User users[] = {
     {"reuse_", "", "light reuse"},
+    {"indirect_reuse_", "", "indirect reuse"},
     {"resolve_", "", "anti-aliasing"},
     {"svgf_", "", "svgf"},
     {"", "_history_frames", "asvgf"},

@@ -22,7 +22,8 @@ struct DenoiserParameterInfo {
     float DenoiserParameters::* member;
 };
 std::span<const DenoiserParameterInfo> denoiserParameters();
-// Who looks at it: names of denoisers, "light reuse", "anti-aliasing".
+// Who looks at it: names of denoisers, "light reuse", "indirect reuse",
+// "anti-aliasing".
 std::vector<std::string_view> usersOf(const DenoiserParameterInfo& parameter);
 
 }  // namespace gp

@@ -34,8 +34,8 @@ const char* const passNames[] = {
 
 }  // namespace
 
-shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
-                                                   bool hasPrevious) const {
+shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, bool hasPrevious,
+                                                   bool sceneChanged) const {
     const RealtimeViews& views = images_.views();
     shared::RealtimeConstants c{};
     c.size = views.size[size_t(RealtimeSize::FULL)];
@@ -48,6 +48,8 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.relights = images_.filtered;
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
     c.light_reuse = uint32_t(plan.lightReuse);
+    c.indirect_reuse = uint32_t(plan.indirectReuse);
+    c.scene_changed = sceneChanged;
     c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = plan.parameters.name;
@@ -56,18 +58,17 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     return c;
 }
 
-bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse) {
+bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     const RealtimeViews& views = images_.views();
-    const bool reuses = lightReuse != LightReuse::none;
-    const bool same = views.size[size_t(RealtimeSize::OUTPUT)] == output &&
-                      images_.holds(RealtimeImage::reservoir) == reuses;
+    const bool same =
+        views.size[size_t(RealtimeSize::OUTPUT)] == output && images_.reuse() == reuse;
     if (same && views.size[size_t(RealtimeSize::FULL)] == full) return false;
     if (same && previousCamera_) {
         images_.rescale(full);
         return true;
     }
     cut();
-    images_.resize(full, output, reuses);
+    images_.resize(full, output, reuse);
     return true;
 }
 
@@ -77,12 +78,16 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
-    const bool resized = resize({int(plan.frame.width), int(plan.frame.height)},
-                                glm::ivec2(plan.outputSize), plan.lightReuse);
+    const bool resized = resize(
+        {int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
+        {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none});
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
-    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
-    denoiser_ = plan.denoiser, lightReuse_ = plan.lightReuse;
+    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_ ||
+        plan.indirectReuse != indirectReuse_)
+        previousCamera_.reset();
+    denoiser_ = plan.denoiser;
+    lightReuse_ = plan.lightReuse, indirectReuse_ = plan.indirectReuse;
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
@@ -96,7 +101,8 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     heat_.begin(plan.heatMaps, images_.views().size[size_t(RealtimeSize::FULL)]);
     images_.filtered = plan.denoiser != Denoiser::none;
 
-    shared::RealtimeConstants c = constants(plan, hasPrevious);
+    const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
+    shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);
     if (resized) c.repeats_draws = 0;  // draws go by pixels, and those are others
     FramePlan frame = plan.frame;
     frame.lightVisibility = lightVisibility_;

@@ -32,7 +32,7 @@ class RealtimeFrame {
 public:
     // Does nothing where sizes and images are as they were. Another size of rays alone keeps
     // history, on other pixels; all else forgets it. Returns whether pixels are others.
-    bool resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse);
+    bool resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse);
     // The next frame knows nothing of the ones before.
     void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }
@@ -45,7 +45,8 @@ public:
                           std::atomic<bool>& cancel);
 
 private:
-    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious) const;
+    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious,
+                                        bool sceneChanged) const;
 
     RealtimeImages images_;
     HeatMaps heat_;
@@ -55,7 +56,8 @@ private:
     glm::vec2 jitter_{0};
     uint32_t index_ = 0;
     Denoiser denoiser_ = Denoiser::none;      // of the last frame
-    LightReuse lightReuse_ = LightReuse::none;
+    LightReuse lightReuse_ = LightReuse::none, indirectReuse_ = LightReuse::none;
+    uint64_t sceneRevision_ = 0;
     Eye eye_;
 };
 

@@ -92,7 +92,7 @@ void RealtimeImages::lodge(Places& places) const {
     }
 }
 
-void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse) {
+void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     RealtimeImages made(lends_);
     made.views_.size[size_t(RealtimeSize::FULL)] = full;
     made.views_.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
@@ -101,32 +101,37 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse)
         made.places_[i] = {set, end};
         end += bytesOf(made.views_, RealtimeImage(i));
     };
+    const auto isWanted = [&](RealtimeMemory memory) {
+        return memory == RealtimeMemory::OWN || (memory == RealtimeMemory::REUSE && reuse.light) ||
+               (memory == RealtimeMemory::INDIRECT_REUSE && reuse.indirect);
+    };
     size_t twice = 0, once = 0;
     for (size_t i = 0; i < realtimeImageCount; ++i)
-        if (realtimeImageInfos[i].copies == 2 &&
-            (realtimeImageInfos[i].memory == RealtimeMemory::OWN || lightReuse))
+        if (realtimeImageInfos[i].copies == 2 && isWanted(realtimeImageInfos[i].memory))
             place(Set::current, i, twice);
     if (lends_) made.lodge(made.places_);
     for (size_t i = 0; i < realtimeImageCount; ++i)
         if (realtimeImageInfos[i].copies == 1 && made.places_[i].set == Set::none)
             place(Set::single, i, once);
     made.current_.resize(twice), made.previous_.resize(twice), made.single_.resize(once);
+    made.reuse_ = reuse;
     take(made);
 }
 
 void RealtimeImages::take(RealtimeImages& made) {
     current_.swap(made.current_), previous_.swap(made.previous_), single_.swap(made.single_);
     places_ = made.places_, views_ = made.views_;
+    reuse_ = made.reuse_;
     point();
 }
 
 void RealtimeImages::rescale(glm::ivec2 full) {
     RealtimeImages made(lends_);
-    made.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)], holds(Layer::reservoir));
+    made.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)], reuse_);
     for (size_t i = 0; i < realtimeImageCount; ++i) {
         const RealtimeImageInfo& info = realtimeImageInfos[i];
-        const bool stays =
-            info.memory == RealtimeMemory::OWN || info.memory == RealtimeMemory::REUSE;
+        const bool stays = info.memory != RealtimeMemory::LENT &&
+                           info.memory != RealtimeMemory::SCRATCH;
         if (!stays || !views_.current[i]) continue;
         const glm::ivec2 from = views_.size[size_t(info.size)];
         const glm::ivec2 to = made.views_.size[size_t(info.size)];

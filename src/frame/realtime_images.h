@@ -14,7 +14,7 @@ enum class RealtimeFormat : uint8_t {
     FLOAT1, HALF2, HALF4, POSITIVE3, RGB9E5, UNORM2, UNORM4, UINT1, UINT2
 };
 enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT };
-enum class RealtimeMemory : uint8_t { OWN, REUSE, LENT, SCRATCH };
+enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, LENT, SCRATCH };
 
 enum class RealtimeImage : uint32_t {
 #define X(name, format, size, copies, memory, meaning) name,
@@ -53,6 +53,12 @@ constexpr size_t realtimeLayerCount = 0
 #undef X
     ;
 
+// Which images the options ask for, beside those that every frame has.
+struct ReuseImages {
+    bool light = false, indirect = false;
+    bool operator==(const ReuseImages&) const = default;
+};
+
 // Where the kernels find the pixels, row after row; `previous` is null where there is one copy,
 // both are where the frame's options need no such image.
 struct RealtimeViews {
@@ -69,7 +75,7 @@ public:
     RealtimeImages& operator=(const RealtimeImages&) = delete;
 
     // `full`: of rays; `output`: of the picture, not smaller. All zeros. Throws std::bad_alloc.
-    void resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse);
+    void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse = {});
     // Another size of rays for the same picture: what the last frame left for the next stays, each
     // new pixel taking that of the nearest old one. Throws std::bad_alloc, nothing changed then.
     void rescale(glm::ivec2 full);
@@ -79,8 +85,9 @@ public:
     glm::ivec2 size(RealtimeImage image) const;
     // Whether the image can be looked at, now that the frame is done.
     bool holds(RealtimeImage image) const;
+    ReuseImages reuse() const { return reuse_; }
     uint64_t bytes() const;
-    // Of all images together where output and full are of one size, without light reuse; rounded
+    // Of all images together where output and full are of one size, without any reuse; rounded
     // up.
     static size_t bytesPerPixel();
 
@@ -103,6 +110,7 @@ private:
     std::vector<std::byte> current_, previous_, single_;
     Places places_;
     RealtimeViews views_{};
+    ReuseImages reuse_;
 };
 
 }  // namespace gp

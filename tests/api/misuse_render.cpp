@@ -97,6 +97,10 @@ void addRealtimeRows(Rows& rows) {
                     [](GpRenderOptions& o) { o.realtime.denoiser = anyEnum<GpDenoiser>(4); }),
         realtimeRow("unknown light reuse", GP_ERROR_INVALID_ARGUMENT, "lightReuse is 3",
                     [](GpRenderOptions& o) { o.realtime.lightReuse = anyEnum<GpLightReuse>(3); }),
+        realtimeRow("unknown indirect reuse", GP_ERROR_INVALID_ARGUMENT, "indirectReuse is 3",
+                    [](GpRenderOptions& o) {
+                        o.realtime.indirectReuse = anyEnum<GpLightReuse>(3);
+                    }),
         realtimeRow("parameters that are not there", GP_ERROR_INVALID_ARGUMENT,
                     "parameters is NULL",
                     [](GpRenderOptions& o) { o.realtime.parameterCount = 1; }),

@@ -43,7 +43,7 @@ struct Shown {
 TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
     Shown s;
     GpRealtimeOptions reuse{};
-    reuse.lightReuse = GP_REUSE_BIASED;
+    reuse.lightReuse = reuse.indirectReuse = GP_REUSE_BIASED;
     reuse.heatMaps = 1;
     s.render(reuse);
     s.render(reuse);
@@ -64,7 +64,7 @@ TEST(RealtimeFrame, LayersThatTheOptionsDoNotMakeAreAnError) {
     plain.denoiser = GP_DENOISER_NONE;
     s.render(plain);
     std::vector<glm::vec4> pixels(width * height);
-    for (const char* name : {"reservoir", "indirect"}) {
+    for (const char* name : {"reservoir", "indirect_reservoir_hit", "indirect"}) {
         EXPECT_EQ(gpReadFrameLayer(s.frame, name, &pixels[0].x, pixels.size() * 16),
                   GP_ERROR_INVALID_OPERATION);
         const char* message = "";

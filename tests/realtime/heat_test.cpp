@@ -63,7 +63,7 @@ constexpr size_t middle = height / 2 * width + width / 2, corner = 0;
 TEST(HeatMaps, RaysAddUpToTheCounters) {
     Heated s;
     for (const GpLightReuse reuse : {GP_REUSE_NONE, GP_REUSE_UNBIASED}) {
-        s.realtime.lightReuse = reuse;
+        s.realtime.lightReuse = s.realtime.indirectReuse = reuse;
         for (int i = 0; i < 3; ++i) {
             s.render();
             const GpFrameStatistics n = s.statistics();

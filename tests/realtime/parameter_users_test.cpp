@@ -105,6 +105,9 @@ TEST(ParameterUsers, AreThoseThatTheDescriptionNames) {
         o.antiAliasing = GP_AA_NONE;
         o.lightReuse = GP_REUSE_BIASED;
         EXPECT_EQ(room.counts(number, o), lists(number, "light reuse")) << number["name"];
+        o.lightReuse = GP_REUSE_NONE;
+        o.indirectReuse = GP_REUSE_BIASED;
+        EXPECT_EQ(room.counts(number, o), lists(number, "indirect reuse")) << number["name"];
     }
 }
 

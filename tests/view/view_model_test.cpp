@@ -105,7 +105,8 @@ TEST(ViewModel, EverySettingChangesTheChoices) {
         {"render-scale", "0.5"},  {"anti-aliasing", "none"}, {"bounces", "3"}, {"mirrors", "0"},
         {"fps", "10"},            {"sky", "90,30,0"},    {"surroundings", "1,2,3"},
         {"lamp", "on"},           {"lamp-intensity", "3"}, {"denoiser", "svgf"},
-        {"light-reuse", "biased"}, {"eye-adaptation", "0.5"}, {"tune", "filter_depth=2"},
+        {"light-reuse", "biased"}, {"indirect-reuse", "unbiased"}, {"eye-adaptation", "0.5"},
+        {"tune", "filter_depth=2"},
         {"light", "0.intensity=7"}, {"add-light", "spot"}, {"remove-light", "0"},
         {"beside", "on"},         {"divider", "0.25"}};
     const std::vector<std::string> names = ViewModel::settingNames();
@@ -125,7 +126,8 @@ TEST(ViewModel, WrongSettingsAreRefusedAndChangeNothing) {
         {"render-scale", "0.4"}, {"anti-aliasing", "msaa"}, {"bounces", "17"}, {"mirrors", "-1"},
         {"samples", "0"},    {"fps", "0"},          {"sky", "0,91,0"}, {"sky", "0,10,-1"},
         {"surroundings", "-1,0,0"}, {"lamp", "1"}, {"lamp-intensity", "-1"}, {"zoom", "2"},
-        {"denoiser", "oidn"}, {"light-reuse", "on"}, {"eye-adaptation", "-1"},
+        {"denoiser", "oidn"}, {"light-reuse", "on"},
+        {"indirect-reuse", "1"}, {"eye-adaptation", "-1"},
         {"tune", "filter_depth"}, {"tune", "filter_depth=1000"}, {"tune", "filter_dept=1"},
         {"light", "1.on=off"}, {"light", "0.cone=5"}, {"light", "0=5"}, {"light", "0.color=-1,0,0"},
         {"light", "0.radius=x"}, {"add-light", "polygon"}, {"add-light", "bulb"},

@@ -48,6 +48,7 @@ bool counts(const DenoiserFacts& facts, const DenoiserNumber& number,
     const bool upscales = choices.antiAliasing == GP_AA_TEMPORAL || choices.renderScale < 1;
     return facts.isUsedBy(number, facts.nameOf(choices.denoiser)) ||
            (choices.lightReuse != GP_REUSE_NONE && facts.isUsedBy(number, "light reuse")) ||
+           (choices.indirectReuse != GP_REUSE_NONE && facts.isUsedBy(number, "indirect reuse")) ||
            (upscales && facts.isUsedBy(number, "anti-aliasing"));
 }
 
@@ -117,6 +118,7 @@ void drawRealtimePanel(ViewModel& model) {
     const DenoiserFacts& facts = model.facts().denoisers;
     drawDenoiser(facts, choices.denoiser);
     chooseWord("light reuse", choices.lightReuse, kLightReuseWords);
+    chooseWord("indirect reuse", choices.indirectReuse, kLightReuseWords);
     chooseWord("anti-aliasing", choices.antiAliasing, kAntiAliasingWords);
     ImGui::SliderFloat("render scale", &choices.renderScale, 0.5f, 1.0f, "at most %.2f");
     choices.renderScale = std::clamp(choices.renderScale, 0.5f, 1.0f);
