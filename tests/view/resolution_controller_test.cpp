@@ -104,7 +104,7 @@ TEST(ResolutionController, FewerRaysComeBeforeSmallerPictures) {
     EXPECT_NEAR(c.sizeScale(), std::exp2(-2.5), 1e-12);
     EXPECT_LE(frameTime(c, 100.0 / 30.0), 1.15 / 30.0);
     // Back again in the other order.
-    run(c, 3.0 / 30.0, 200);
+    run(c, 2.0 / 30.0, 200);
     EXPECT_EQ(c.sizeScale(), 1.0);
     EXPECT_GT(c.renderScale(), 0.5);
     // A mode that has no such scale goes on with as many rays.

@@ -34,7 +34,8 @@ SceneFacts facts() {
 }
 
 ViewModel newModel() {
-    return ViewModel(facts(), ViewChoices{}, "picture.png");
+    const ViewChoices choices;
+    return ViewModel(facts(), choices, "picture.png");
 }
 
 constexpr PictureArea kArea{100, 0, 200, 100};
@@ -91,7 +92,8 @@ TEST(ViewModel, KeysDoWhatTheirNamesSay) {
 TEST(ViewModel, AFileWithoutCamerasHasNoNextOne) {
     SceneFacts none = facts();
     none.cameras.clear();
-    ViewModel model(none, ViewChoices{}, "");
+    const ViewChoices choices;
+    ViewModel model(none, choices, "");
     press(model, Key::nextCamera);
     EXPECT_EQ(model.message(), "the file has no camera");
     EXPECT_THROW(model.set("camera", "0"), tool::UsageError);
