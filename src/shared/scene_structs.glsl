@@ -185,21 +185,29 @@ struct LightRecord {
     float cos_outer;
     uint instance;   // triangle
     uint primitive;
-    uint trail;      // path through the light tree: bit i = right turn at depth i
+    uint leaf;       // in the light tree: its place in its node, as LightTreeNode::parent
 };
 
-// A node of the light tree: bounds of position, power and direction (shading/light/tree.glsl).
+// A node of the light tree: what bounds each of its children in position, power and direction
+// (shading/light/tree.glsl), number by number, so that all are weighed at once.
+#define LIGHT_TREE_WIDTH 8
+#define LIGHT_TREE_LEAF 0x80000000u       // LightTreeNode::child: a light, not a node
+#define LIGHT_TREE_TWO_SIDED 0x40000000u
+#define LIGHT_TREE_INDEX 0x3FFFFFFFu
 struct LightTreeNode {
-    vec3 lo;
-    float phi;
-    vec3 hi;
-    float cos_theta_o;
-    vec3 w;
-    float cos_theta_e;
-    uint two_sided;
-    uint is_leaf;
-    uint child_or_light;  // inner: index of the second child (the first follows); leaf: the light
-    uint pad0;
+    float centre_x[LIGHT_TREE_WIDTH];
+    float centre_y[LIGHT_TREE_WIDTH];
+    float centre_z[LIGHT_TREE_WIDTH];
+    float radius2[LIGHT_TREE_WIDTH];
+    float phi[LIGHT_TREE_WIDTH];          // 0: there is no such child
+    float axis_x[LIGHT_TREE_WIDTH];
+    float axis_y[LIGHT_TREE_WIDTH];
+    float axis_z[LIGHT_TREE_WIDTH];
+    float cos_theta_o[LIGHT_TREE_WIDTH];
+    float cos_theta_e[LIGHT_TREE_WIDTH];
+    uint child[LIGHT_TREE_WIDTH];         // LIGHT_TREE_ bits and an index
+    uint parent;  // LIGHT_TREE_WIDTH times the node above, and this one's place in it; 0: the root
+    uint pad0[7];
 };
 
 // A cell of the table that environment directions are chosen from: an alias table whose cells lie

@@ -25,7 +25,7 @@ void CpuScene::update(const Scene& scene) {
 void CpuScene::rebuild(const Scene& scene) {
     updateMeshes(scene);
     materials_.fill(scene);
-    lights_ = makeLightTable(scene);
+    fillLightTable(scene, lights_);
     fillInstances(scene);
     fillView(scene);
 }
