@@ -76,12 +76,16 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
     denoiser_ = plan.denoiser, lightReuse_ = plan.lightReuse;
+    FramePlan frame = plan.frame;
+    const auto skyStart = Clock::now();
+    sky_.update(backend, backendScene, scene, frame);
+    if (frame.sky) result.passes.push_back({"sky", millisecondsSince(skyStart)});
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
     if (!hasPrevious) {
         motion_.forget();
-        lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
+        lightVisibility_ = backend.estimateLightVisibility(backendScene, frame);
     }
     motion_.compare(scene, backendScene.lights());
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
@@ -89,7 +93,6 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     images_.filtered = plan.denoiser != Denoiser::none;
 
     const shared::RealtimeConstants c = constants(plan, hasPrevious);
-    FramePlan frame = plan.frame;
     frame.lightVisibility = lightVisibility_;
     const RealtimeJob job{backendScene, frame, previous ? *previous : frame.camera, c, motion_,
                           images_.views()};
