@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "frame/frame_sky.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
@@ -32,7 +33,7 @@ public:
     // Does nothing where sizes and images are as they were; else history is forgotten.
     void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse);
     // The next frame knows nothing of the ones before.
-    void cut() { previousCamera_.reset(), eye_.reset(); }
+    void cut() { previousCamera_.reset(), eye_.reset(), sky_.forget(); }
     const RealtimeImages& images() const { return images_; }
 
     // One frame, into images() and `picture`. When cancelled or failing, history is forgotten.
@@ -54,6 +55,7 @@ private:
     LightReuse lightReuse_ = LightReuse::none, indirectReuse_ = LightReuse::none;
     uint64_t sceneRevision_ = 0;
     Eye eye_;
+    FrameSky sky_;
 };
 
 }  // namespace gp
