@@ -488,6 +488,13 @@ GP_API GpLight gpNewLight(GpScene scene, const GpLightDesc* desc);
 GP_API GpError gpSetLight(GpLight light, const GpLightDesc* desc);
 GP_API GpError gpRemoveLight(GpLight light);
 GP_API GpError gpReleaseLight(GpLight light);
+/* Light `index` of the scene, from 0, whoever added it: a call, a file or gpSetSky, in the order of
+ * gpDescribeScene. Emissive triangles are not among them. `desc` receives what gpSetLight would
+ * make it of, in GP_UNIT_RADIOMETRIC; its name and corners live until the light is set or removed.
+ * `light`, which may be NULL, receives a handle of its own, to be released. A light that has more
+ * than one handle can be removed through any; the others are good for gpReleaseLight then, and
+ * GP_ERROR_INVALID_OPERATION for all else. What plays (gpSetSceneTime) still moves its lights. */
+GP_API GpError gpGetSceneLight(GpScene scene, uint32_t index, GpLightDesc* desc, GpLight* light);
 
 /* What surrounds the scene. Latitude-longitude images: the centre looks along -Z, top is +Y. */
 typedef struct GpEnvironmentDesc {
@@ -760,7 +767,7 @@ typedef struct GpRealtimeOptions {
     int32_t resetHistory;   /* not 0: nothing of earlier frames is used, as after a cut */
     GpAntiAliasing antiAliasing;
     float renderScale;      /* rays along each side of the picture for a pixel: 0.5..1, 0 = 1. Below
-                               1 the picture is scaled up over time; a change forgets history */
+                               1 the picture is scaled up over time; a change keeps history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
     GpDenoiser denoiser;
@@ -775,6 +782,8 @@ typedef struct GpRealtimeOptions {
                                handed on. A change forgets history */
     uint32_t skyCubeSize;   /* pixels along each side of the cube that GP_DRAW_SKY is drawn into for
                                reflections and light: 16..1024, 0 = 128 */
+    int32_t heatMaps;       /* not 0: makes the layers heat_rays and heat_time (gpReadFrameLayer);
+                               8 bytes for each pixel of rays, and some time */
 } GpRealtimeOptions;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
@@ -864,10 +873,21 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * instance and triangle, `material` to roughness, metallic, flags and mirrors. Images with a pixel
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
  * message names the nearest known one; an image that the frame's options do not make (reservoirs
- * without light reuse) is GP_ERROR_INVALID_OPERATION. */
+ * without light reuse) is GP_ERROR_INVALID_OPERATION.
+ * Heat maps tell what a pixel costs:
+ *   heat_rays      rays that were traced for it in this frame. With a renderScale of 1 their sum is
+ *                  that of the ray counters of gpGetFrameStatistics
+ *   heat_time      microseconds that threads spent on it in the passes that trace and shade, those
+ *                  that packets of camera rays share in equal parts; what else the processor did
+ *                  meanwhile counts too
+ *   heat_variance  R: estimated variance of the luminance of its light before denoising, seen for
+ *                  one frame; G, B, A: of direct, indirect and specular light, over albedo
+ * The first two are of frames with options.realtime.heatMaps, the last one of frames with a
+ * denoiser: else GP_ERROR_INVALID_OPERATION. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
-/* The denoisers by name, and all their parameters with name, default, range and meaning, as a JSON
- * text; sizes as in gpDescribeScene. */
+/* The denoisers by name, and all their parameters with name, default, range, meaning and who looks
+ * at them (`used_by`: denoisers, "light reuse", "indirect reuse", "anti-aliasing"), as a JSON text;
+ * sizes as in gpDescribeScene. */
 GP_API GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed);
 /* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
  * Needs no device. */

@@ -205,7 +205,7 @@ void useUpDraws(FrameObject& frame) {
     frame.draws.clear();
     frame.drawElements = 0;
     frame.statistics.frameBytes =
-        frame.images.bytes() + (frame.realtime ? frame.realtime->images().bytes() : 0);
+        frame.images.bytes() + (frame.realtime ? frame.realtime->bytes() : 0);
 }
 
 // An exception in the middle leaves some pixels with more samples than others: empties the frame.

@@ -10,6 +10,7 @@
 #include "frame/eye_adaptation.h"
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
+#include "frame/heat_maps.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
@@ -44,6 +45,7 @@ struct RealtimeJob {
     const shared::RealtimeConstants& constants;
     const SceneMotion& motion;
     const RealtimeViews& images;
+    HeatViews heat;
 };
 
 class Backend {

@@ -122,6 +122,9 @@ struct RealtimeTileJob {
     const uint32_t* currentOfPrevious;
     const uint32_t* currentLightOfPrevious;
     RealtimePass pass;
+    // What each pixel costs is added to, row after row; null: nobody asked.
+    float* pixelRays;
+    uint64_t* pixelTicks;       // of the time-stamp counter
 };
 
 // The hot code, once for each instruction set (isa/).
