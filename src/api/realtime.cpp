@@ -83,7 +83,8 @@ DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 && o.indirectReuse == 0 &&
+           o.mirrorLimit == 0 && o.skyCubeSize == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.indirectReuse == 0 &&
            o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
            o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0 && o.heatMaps == 0;
 }
@@ -118,6 +119,10 @@ void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
     const float scale = o.realtime.renderScale == 0 ? 1 : o.realtime.renderScale;
     checkRange(scale, 0.5, 1, "options.realtime.renderScale");
     plan.outputSize = output;
+    if (const uint32_t size = o.realtime.skyCubeSize; size != 0) {
+        checkRange(size, 16, 1024, "options.realtime.skyCubeSize");
+        plan.frame.skyCubeSize = size;
+    }
     plan.frame.width = std::max(1u, uint32_t(std::lround(scale * float(output.x))));
     plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }

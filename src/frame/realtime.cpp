@@ -88,12 +88,16 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         previousCamera_.reset();
     denoiser_ = plan.denoiser;
     lightReuse_ = plan.lightReuse, indirectReuse_ = plan.indirectReuse;
+    FramePlan frame = plan.frame;
+    const auto skyStart = Clock::now();
+    sky_.update(backend, backendScene, scene, frame);
+    if (frame.sky) result.passes.push_back({"sky", millisecondsSince(skyStart)});
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
     if (!hasPrevious) {
         motion_.forget();
-        lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
+        lightVisibility_ = backend.estimateLightVisibility(backendScene, frame);
     }
     motion_.compare(scene, backendScene.lights());
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
@@ -104,7 +108,6 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
     shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);
     if (resized) c.repeats_draws = 0;  // draws go by pixels, and those are others
-    FramePlan frame = plan.frame;
     frame.lightVisibility = lightVisibility_;
     const RealtimeJob job{backendScene, frame, previous ? *previous : frame.camera, c, motion_,
                           images_.views(), heat_.views()};

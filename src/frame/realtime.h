@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "frame/frame_sky.h"
 #include "frame/heat_maps.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
@@ -34,7 +35,7 @@ public:
     // history, on other pixels; all else forgets it. Returns whether pixels are others.
     bool resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse);
     // The next frame knows nothing of the ones before.
-    void cut() { previousCamera_.reset(), eye_.reset(); }
+    void cut() { previousCamera_.reset(), eye_.reset(), sky_.forget(); }
     const RealtimeImages& images() const { return images_; }
     const HeatMaps& heat() const { return heat_; }
     uint64_t bytes() const { return images_.bytes() + heat_.bytes(); }
@@ -59,6 +60,7 @@ private:
     LightReuse lightReuse_ = LightReuse::none, indirectReuse_ = LightReuse::none;
     uint64_t sceneRevision_ = 0;
     Eye eye_;
+    FrameSky sky_;
 };
 
 }  // namespace gp
