@@ -22,12 +22,21 @@ struct Room {
         GpMaterialDesc glossy{};
         glossy.metallic = 0.6f, glossy.roughness = 0.4f;
         Triangles floor, things;
-        floor.quad({-3, -1, 3}, {6, 0, 0}, {0, 0, -6});
+        floor.quad({-3, -1, 3}, {3, 0, 0}, {0, 0, -6});
         floor.quad({-3, -1, -3}, {6, 0, 0}, {0, 4, 0});
         for (const glm::vec3 at : {glm::vec3(-1.2f, 0, 0), glm::vec3(0.3f, -0.4f, 0.8f),
                                    glm::vec3(1.5f, 0, -1)})
             things.sphere(at, 0.7f, 8, false, true);
         stage.add(floor, stage.lambert({0.7f, 0.6f, 0.4f}));
+        // One plane of two widths: what filter_roughness tells apart.
+        GpMaterialDesc metal{};
+        metal.metallic = 1;
+        for (int i = 0; i < 2; ++i) {
+            Triangles strip;
+            strip.quad({1.5f * float(i), -1, 3}, {1.5f, 0, 0}, {0, 0, -6});
+            metal.roughness = i == 0 ? 0.3f : 0.5f;
+            stage.add(strip, stage.material(metal));
+        }
         stage.add(things, stage.material(glossy));
         stage.surround(glm::vec3(0.2f));
         GpLightDesc lamp{};
@@ -91,7 +100,9 @@ TEST(ParameterUsers, AreThoseThatTheDescriptionNames) {
                                                             {"svgf", GP_DENOISER_SVGF},
                                                             {"atrous", GP_DENOISER_ATROUS},
                                                             {"none", GP_DENOISER_NONE}};
-    for (const Json& number : room.describe()["parameters"]) {
+    const Json described = room.describe();
+    ASSERT_GT(described["parameters"].size(), 20u);
+    for (const Json& number : described["parameters"]) {
         ASSERT_FALSE(number["used_by"].empty()) << number["name"];
         for (const auto& [name, denoiser] : denoisers) {
             GpRealtimeOptions o{};
