@@ -194,6 +194,7 @@ TEST_F(ViewRealtimeTest, NumbersAndDenoisersCount) {
     ASSERT_NE(facts.number("filter_depth"), nullptr);
     EXPECT_TRUE(facts.isUsedBy(*facts.number("svgf_history_frames"), "svgf"));
     EXPECT_FALSE(facts.isUsedBy(*facts.number("svgf_history_frames"), "asvgf"));
+    waitFor(isFull);  // another size would forget history
     // A history of one frame stays at one.
     m_choices.image = "history_length";
     const auto shade = [this] { return mean(afterFrames(12)); };
