@@ -91,8 +91,8 @@ void prepare(const CLI::App& app, AnimateSettings& s) {
         }
     } else {
         for (const char* name :
-             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse", "--tune",
-              "--eye-adaptation", "--eye-range"}) {
+             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse",
+              "--indirect-reuse", "--tune", "--eye-adaptation", "--eye-range"}) {
             if (app.count(name) > 0) {
                 throw UsageError(fmt::format("{}: only with --mode realtime", name));
             }

@@ -10,6 +10,13 @@ namespace {
 
 constexpr std::uint32_t kMaxFrames = 1u << 20;
 
+GpLightReuse parseReuse(const char* option, const std::string& word) {
+    const std::pair<const char*, GpLightReuse> choices[] = {{"none", GP_REUSE_NONE},
+                                                            {"biased", GP_REUSE_BIASED},
+                                                            {"unbiased", GP_REUSE_UNBIASED}};
+    return parseChoice(option, word, choices);
+}
+
 }  // namespace
 
 void addMotionOptions(CLI::App& app, AnimateSettings& s) {
@@ -73,11 +80,13 @@ void addRealtimeOptions(CLI::App& app, RenderSettings& s) {
             "How shadow rays choose their lamp: none: each pixel by itself; biased, unbiased: with "
             "what pixels nearby found in the last frame (default none)",
             [&o](const std::string& word) {
-                const std::pair<const char*, GpLightReuse> choices[] = {
-                    {"none", GP_REUSE_NONE},
-                    {"biased", GP_REUSE_BIASED},
-                    {"unbiased", GP_REUSE_UNBIASED}};
-                o.lightReuse = parseChoice("--light-reuse", word, choices);
+                o.lightReuse = parseReuse("--light-reuse", word);
+            })->group(group);
+    addWord(app, "--indirect-reuse", "NAME",
+            "The same for light that comes over one more surface: none, biased, unbiased (default "
+            "none)",
+            [&o](const std::string& word) {
+                o.indirectReuse = parseReuse("--indirect-reuse", word);
             })->group(group);
     addWords(app, "--tune", "NAME=VALUE",
              "Another value for a number of denoisers, light reuse or anti-aliasing "

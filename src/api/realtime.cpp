@@ -83,7 +83,7 @@ DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 && o.indirectReuse == 0 &&
            o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
            o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
 }
@@ -96,6 +96,8 @@ RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
     plan.lightReuse =
         LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.indirectReuse =
+        LightReuse(checkEnum(o.realtime.indirectReuse, 3, "options.realtime.indirectReuse"));
     plan.denoiser = Denoiser(checkEnum(o.realtime.denoiser, denoiserCount,
                                        "options.realtime.denoiser"));
     plan.parameters = parametersFrom(o.realtime);
@@ -187,6 +189,11 @@ GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t 
             fail(GP_ERROR_INVALID_OPERATION, "only frames of GP_MODE_REALTIME have layers");
         checkRendered(f);
         const gp::RealtimeImage which = layerNamed(name);
+        if (!f.realtime->images().holds(which))
+            fail(GP_ERROR_INVALID_OPERATION,
+                 "the frame has no layer \"{}\": its options (lightReuse, indirectReuse, denoiser) "
+                 "make none",
+                 name);
         const size_t needed = f.images.pixelCount() * sizeof(glm::vec4);
         if (size < needed)
             fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the layer has {} bytes", size,

@@ -29,8 +29,8 @@ struct RealtimeResult {
 // What a frame of the application's remembers.
 class RealtimeFrame {
 public:
-    // Does nothing where the sizes are as they were; else history is forgotten.
-    void resize(glm::ivec2 full, glm::ivec2 output);
+    // Does nothing where sizes and images are as they were; else history is forgotten.
+    void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse);
     // The next frame knows nothing of the ones before.
     void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }
@@ -41,7 +41,8 @@ public:
                           std::atomic<bool>& cancel);
 
 private:
-    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious) const;
+    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious,
+                                        bool sceneChanged) const;
 
     RealtimeImages images_;
     SceneMotion motion_;
@@ -50,7 +51,8 @@ private:
     glm::vec2 jitter_{0};
     uint32_t index_ = 0;
     Denoiser denoiser_ = Denoiser::none;      // of the last frame
-    LightReuse lightReuse_ = LightReuse::none;
+    LightReuse lightReuse_ = LightReuse::none, indirectReuse_ = LightReuse::none;
+    uint64_t sceneRevision_ = 0;
     Eye eye_;
 };
 

@@ -97,6 +97,10 @@ void addRealtimeRows(Rows& rows) {
                     [](GpRenderOptions& o) { o.realtime.denoiser = anyEnum<GpDenoiser>(4); }),
         realtimeRow("unknown light reuse", GP_ERROR_INVALID_ARGUMENT, "lightReuse is 3",
                     [](GpRenderOptions& o) { o.realtime.lightReuse = anyEnum<GpLightReuse>(3); }),
+        realtimeRow("unknown indirect reuse", GP_ERROR_INVALID_ARGUMENT, "indirectReuse is 3",
+                    [](GpRenderOptions& o) {
+                        o.realtime.indirectReuse = anyEnum<GpLightReuse>(3);
+                    }),
         realtimeRow("parameters that are not there", GP_ERROR_INVALID_ARGUMENT,
                     "parameters is NULL",
                     [](GpRenderOptions& o) { o.realtime.parameterCount = 1; }),
@@ -155,6 +159,10 @@ void addOptionRows(Rows& rows) {
                   [](GpRenderOptions& o) { o.clamp = nanf; }),
         optionRow("exposure out of range", GP_ERROR_OUT_OF_RANGE, "exposureEv",
                   [](GpRenderOptions& o) { o.exposureEv = -200; }),
+        optionRow("rays shorter than nothing", GP_ERROR_OUT_OF_RANGE, "options.rayLength is -1",
+                  [](GpRenderOptions& o) { o.rayLength = -1; }),
+        optionRow("ray length is NaN", GP_ERROR_NOT_FINITE, "options.rayLength",
+                  [](GpRenderOptions& o) { o.rayLength = nanf; }),
         optionRow("unknown tone map", GP_ERROR_INVALID_ARGUMENT, "options.tonemap",
                   [](GpRenderOptions& o) { o.tonemap = anyEnum<GpTonemap>(99); }),
     };
