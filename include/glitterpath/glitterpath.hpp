@@ -180,6 +180,11 @@ public:
         check(gpGetSceneCamera(get(), index, &result, nullptr));
         return result;
     }
+    GpLightDesc light(uint32_t index) const {  // its pointers live until the light is changed
+        GpLightDesc result{};
+        check(gpGetSceneLight(get(), index, &result, nullptr));
+        return result;
+    }
     GpCameraDesc frame(float aspect) const {
         GpCameraDesc result{};
         check(gpFrameScene(get(), aspect, &result));
@@ -214,10 +219,20 @@ public:
     Light() = default;
     Light(const Scene& s, const GpLightDesc& desc)
         : Owner(detail::checked(gpNewLight(s.get(), &desc), s.device()), s.device()) {}
+    // One that is there already, by its number in Scene::light().
+    Light(const Scene& s, uint32_t index) : Owner(handleOf(s, index), s.device()) {}
     void set(const GpLightDesc& desc) { check(gpSetLight(get(), &desc)); }
     void remove() {
         check(gpRemoveLight(get()));
         forget();
+    }
+
+private:
+    static GpLight handleOf(const Scene& s, uint32_t index) {
+        GpLightDesc desc{};
+        GpLight light = nullptr;
+        detail::check(gpGetSceneLight(s.get(), index, &desc, &light), s.device());
+        return light;
     }
 };
 

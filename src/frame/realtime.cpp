@@ -58,14 +58,18 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, boo
     return c;
 }
 
-void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
+bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     const RealtimeViews& views = images_.views();
-    if (views.size[size_t(RealtimeSize::FULL)] == full &&
-        views.size[size_t(RealtimeSize::OUTPUT)] == output &&
-        images_.reuse() == reuse)
-        return;
+    const bool same =
+        views.size[size_t(RealtimeSize::OUTPUT)] == output && images_.reuse() == reuse;
+    if (same && views.size[size_t(RealtimeSize::FULL)] == full) return false;
+    if (same && previousCamera_) {
+        images_.rescale(full);
+        return true;
+    }
     cut();
     images_.resize(full, output, reuse);
+    return true;
 }
 
 // The frame from top to bottom.
@@ -74,8 +78,9 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
-    resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
-           {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none});
+    const bool resized = resize(
+        {int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
+        {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none});
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_ ||
@@ -83,24 +88,29 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         previousCamera_.reset();
     denoiser_ = plan.denoiser;
     lightReuse_ = plan.lightReuse, indirectReuse_ = plan.indirectReuse;
+    FramePlan frame = plan.frame;
+    const auto skyStart = Clock::now();
+    sky_.update(backend, backendScene, scene, frame);
+    if (frame.sky) result.passes.push_back({"sky", millisecondsSince(skyStart)});
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
     if (!hasPrevious) {
         motion_.forget();
-        lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
+        lightVisibility_ = backend.estimateLightVisibility(backendScene, frame);
     }
     motion_.compare(scene, backendScene.lights());
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
+    heat_.begin(plan.heatMaps, images_.views().size[size_t(RealtimeSize::FULL)]);
     images_.filtered = plan.denoiser != Denoiser::none;
 
     const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
-    const shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);
-    FramePlan frame = plan.frame;
+    shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);
+    if (resized) c.repeats_draws = 0;  // draws go by pixels, and those are others
     frame.lightVisibility = lightVisibility_;
     const RealtimeJob job{backendScene, frame, previous ? *previous : frame.camera, c, motion_,
-                          images_.views()};
+                          images_.views(), heat_.views()};
     const auto run = [&](RealtimePass pass) {
         if (cancel.load()) return;
         const auto passStart = Clock::now();

@@ -1,5 +1,6 @@
 #include "frame/realtime_images.h"
 
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -63,6 +64,11 @@ uint32_t bytesPerPixel(RealtimeFormat format) {
     }
 }
 
+glm::ivec2 nearestPixel(glm::ivec2 pixel, glm::ivec2 size, glm::ivec2 otherSize) {
+    return {int((int64_t(2 * pixel.x) + 1) * otherSize.x / (2 * size.x)),
+            int((int64_t(2 * pixel.y) + 1) * otherSize.y / (2 * size.y))};
+}
+
 glm::ivec2 RealtimeImages::size(RealtimeImage image) const {
     return views_.size[size_t(realtimeImageInfo(image).size)];
 }
@@ -108,10 +114,37 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reus
         if (realtimeImageInfos[i].copies == 1 && made.places_[i].set == Set::none)
             place(Set::single, i, once);
     made.current_.resize(twice), made.previous_.resize(twice), made.single_.resize(once);
+    made.reuse_ = reuse;
+    take(made);
+}
+
+void RealtimeImages::take(RealtimeImages& made) {
     current_.swap(made.current_), previous_.swap(made.previous_), single_.swap(made.single_);
     places_ = made.places_, views_ = made.views_;
-    reuse_ = reuse;
+    reuse_ = made.reuse_;
     point();
+}
+
+void RealtimeImages::rescale(glm::ivec2 full) {
+    RealtimeImages made(lends_);
+    made.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)], reuse_);
+    for (size_t i = 0; i < realtimeImageCount; ++i) {
+        const RealtimeImageInfo& info = realtimeImageInfos[i];
+        const bool stays = info.memory != RealtimeMemory::LENT &&
+                           info.memory != RealtimeMemory::SCRATCH;
+        if (!stays || !views_.current[i]) continue;
+        const glm::ivec2 from = views_.size[size_t(info.size)];
+        const glm::ivec2 to = made.views_.size[size_t(info.size)];
+        const size_t bytes = gp::bytesPerPixel(info.format);
+        std::byte* out = made.views_.current[i];
+        for (int y = 0; y < to.y; ++y)
+            for (int x = 0; x < to.x; ++x, out += bytes) {
+                const glm::ivec2 p = nearestPixel({x, y}, to, from);
+                const size_t index = size_t(p.y) * size_t(from.x) + size_t(p.x);
+                std::memcpy(out, views_.current[i] + index * bytes, bytes);
+            }
+    }
+    take(made);
 }
 
 void RealtimeImages::point() {

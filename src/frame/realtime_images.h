@@ -42,6 +42,8 @@ constexpr const RealtimeImageInfo& realtimeImageInfo(RealtimeImage image) {
     return realtimeImageInfos[size_t(image)];
 }
 uint32_t bytesPerPixel(RealtimeFormat format);
+// The pixel of an image of `otherSize` that lies under the middle of `pixel` in one of `size`.
+glm::ivec2 nearestPixel(glm::ivec2 pixel, glm::ivec2 size, glm::ivec2 otherSize);
 
 // Those that can be looked at when a frame is done, which come first.
 constexpr size_t realtimeLayerCount = 0
@@ -74,6 +76,9 @@ public:
 
     // `full`: of rays; `output`: of the picture, not smaller. All zeros. Throws std::bad_alloc.
     void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse = {});
+    // Another size of rays for the same picture: what the last frame left for the next stays, each
+    // new pixel taking that of the nearest old one. Throws std::bad_alloc, nothing changed then.
+    void rescale(glm::ivec2 full);
     // What this frame writes becomes what the next one remembers.
     void swap();
     const RealtimeViews& views() const { return views_; }
@@ -98,6 +103,7 @@ private:
 
     void lodge(Places& places) const;
     void point();
+    void take(RealtimeImages& made);
 
     bool lends_;
     // Images of two copies: this frame's and the last one's, in turns; then all others.

@@ -24,6 +24,7 @@ struct RealtimePlan {
     Denoiser denoiser = Denoiser::asvgf;
     DenoiserParameters parameters;
     bool resetHistory = false;
+    bool heatMaps = false;
     float timeStep = 1.0f / 60;   // seconds since the last frame
     EyeAdaptation eye;
 };

@@ -7,6 +7,7 @@
 
 #include <immintrin.h>
 
+#include "frame/heat_maps.h"
 #include "shading/shading.h"
 #include "shared/realtime_structs.h"
 #include "shared/scene_structs.h"
@@ -88,6 +89,16 @@ struct Reader : ImageAccess {
         }
     }
 
+    // As denoisers have found it. The channels' rays are independent, nearly.
+    vec4 variance(ivec2 p) {
+        if ((unpack_material(load_material(p)).flags & (REALTIME_SKY | REALTIME_UNLIT)) != 0u)
+            return vec4(0);
+        const vec3 of(load_direct_history(p).w, load_indirect_history_chroma(p / 3).w,
+                      load_specular_history(p).w);
+        const float diffuse = luminance(vec3(load_albedo(p)));
+        const float specular = luminance(vec3(load_specular_albedo(p)));
+        return vec4(diffuse * diffuse * (of.x + of.y) + specular * specular * of.z, of);
+    }
 };
 #pragma GCC diagnostic pop
 
@@ -98,8 +109,7 @@ void eachPixel(const RealtimeImages& images, RealtimeSize which, T* out, const F
     const ivec2 size = images.views().size[size_t(which)];
     for (int y = 0; y < output.y; ++y)
         for (int x = 0; x < output.x; ++x)
-            *out++ = f(ivec2(int((int64_t(2 * x) + 1) * size.x / (2 * output.x)),
-                             int((int64_t(2 * y) + 1) * size.y / (2 * output.y))));
+            *out++ = f(nearestPixel(ivec2(x, y), output, size));
 }
 
 }  // namespace
@@ -112,6 +122,19 @@ void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::v
                   [&](ivec2 p) { return reader.layer(which, p / 3); });
     else
         eachPixel(images, size, pixels, [&](ivec2 p) { return reader.layer(which, p); });
+}
+
+void readHeatLayer(const HeatMaps& heat, const RealtimeImages& images, HeatLayer which,
+                   glm::vec4* pixels) {
+    Reader reader(images);
+    const std::vector<float>& map =
+        which == HeatLayer::rays ? heat.rays() : heat.microseconds();
+    const size_t width = size_t(images.views().size[size_t(RealtimeSize::FULL)].x);
+    eachPixel(images, RealtimeSize::FULL, pixels, [&](ivec2 p) {
+        return which == HeatLayer::variance
+                   ? reader.variance(p)
+                   : vec4(vec3(map[size_t(p.y) * width + size_t(p.x)]), 1);
+    });
 }
 
 void readRealtimeImage(const RealtimeImages& images, FrameImage which, void* pixels) {

@@ -159,6 +159,41 @@ void addLightFieldRows(Rows& rows) {
         [](GpLightDesc& d) { d.edgeU[2] = nan; });
 }
 
+// A second handle of a light that was removed through its first.
+GpLight leftOver(World& w) {
+    const GpLightDesc zeros{};
+    const GpLight extra = gpNewLight(w.scene, &zeros);
+    GpSceneInfo info{};
+    gpGetSceneInfo(w.scene, &info);
+    GpLightDesc desc{};
+    GpLight other = nullptr;
+    gpGetSceneLight(w.scene, uint32_t(info.lights - 1), &desc, &other);
+    gpRemoveLight(extra);
+    return other;
+}
+
+void addSceneLightRows(Rows& rows) {
+    rows.push_back({"gpGetSceneLight", "past the end", GP_ERROR_OUT_OF_RANGE,
+                    "index is 1000, but the scene has", [](World& w) {
+                        GpLightDesc desc{};
+                        return gpGetSceneLight(w.scene, 1000, &desc, nullptr);
+                    }});
+    rows.push_back({"gpGetSceneLight", "no place for it", GP_ERROR_INVALID_ARGUMENT,
+                    "desc is NULL",
+                    [](World& w) { return gpGetSceneLight(w.scene, 0, nullptr, nullptr); }});
+    rows.push_back({"gpSetLight", "removed through another handle", GP_ERROR_INVALID_OPERATION,
+                    "no longer in its scene", [](World& w) {
+                        const GpLightDesc zeros{};
+                        return gpSetLight(leftOver(w), &zeros);
+                    }});
+    rows.push_back({"gpRemoveLight", "removed through another handle", GP_ERROR_INVALID_OPERATION,
+                    "no longer in its scene", [](World& w) { return gpRemoveLight(leftOver(w)); }});
+    addHandleRows<GpScene>(rows, "gpGetSceneLight", "scene", [](World&, GpScene s) {
+        GpLightDesc desc{};
+        return gpGetSceneLight(s, 0, &desc, nullptr);
+    });
+}
+
 }  // namespace
 
 Rows lightRows() {
@@ -182,6 +217,7 @@ Rows lightRows() {
          }},
     };
     addLightFieldRows(rows);
+    addSceneLightRows(rows);
     addHandleRows<GpScene>(rows, "gpNewLight", "scene", [](World&, GpScene s) {
         const GpLightDesc zeros{};
         return made(gpNewLight(s, &zeros));

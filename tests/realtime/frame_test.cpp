@@ -44,6 +44,7 @@ TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
     Shown s;
     GpRealtimeOptions reuse{};
     reuse.lightReuse = reuse.indirectReuse = GP_REUSE_BIASED;
+    reuse.heatMaps = 1;
     s.render(reuse);
     s.render(reuse);
     uint32_t count = 0;

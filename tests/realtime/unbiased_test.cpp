@@ -139,7 +139,9 @@ void expectReference(const Variant& variant, bool withMirrors, int bounces,
             sumOfSquares += z * z;
         }
     }
-    EXPECT_LT(sumOfSquares / double(3 * expected.sum.size()), 1.4);
+    // Variances of 40 means make each 1.05 on average; of 48 blocks, whose channels go together,
+    // the mean has a deviation of 0.21. Three of these.
+    EXPECT_LT(sumOfSquares / double(3 * expected.sum.size()), 1.7);
     // The whole of the picture: what errors of one sign would show in.
     glm::dvec3 all{0}, allExpected{0}, variance{0};
     for (size_t i = 0; i < expected.sum.size(); ++i) {
