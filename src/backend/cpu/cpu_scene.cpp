@@ -90,7 +90,6 @@ void CpuScene::fillInstances(const Scene& scene) {
     top_.reset(rtcNewScene(device_));
     if (!top_) throw std::bad_alloc();
     rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_NONE);
-    rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_MEDIUM);
     instances_.assign(scene.instances.size(), {});
     for (uint32_t i = 0; i < instances_.size(); ++i) {
         const Instance& source = *scene.instances[i];
@@ -119,6 +118,13 @@ void CpuScene::fillInstances(const Scene& scene) {
         rtcReleaseGeometry(g);
     }
     attachLights(scene);
+    // Many lamps whose scene has changed before may do so in every frame: then building takes
+    // longer than their better structure saves.
+    constexpr size_t many = 4096;
+    size_t shapes = 0;
+    for (const auto& table : lightOfPrimitive_) shapes += table.size();
+    rtcSetSceneBuildQuality(top_.get(), built_ && shapes > many ? RTC_BUILD_QUALITY_LOW
+                                                                : RTC_BUILD_QUALITY_MEDIUM);
     rtcCommitScene(top_.get());
 }
 
