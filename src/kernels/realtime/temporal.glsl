@@ -25,6 +25,14 @@ History no_history() {
     return h;
 }
 
+// How much the mapped normal of the last frame's pixel is this one's: light of a bumpy surface
+// changes from pixel to pixel, and a mean of four at each frame would soon have blurred it.
+float history_likeness(ivec2 at, vec3 mapped) {
+    LET_REF(RealtimeConstants) c = load_realtime();
+    float bend = 1.0f - dot(octahedral_decode(load_previous_normal(at).x), mapped);
+    return edge_weight(bend * c.filter_normal) + 0.01f;
+}
+
 // The last frame's pixel shows the surface `s`, as far as one can see.
 bool history_belongs(ivec2 at, IN(EdgeTest) s, float allowance) {
     LET_REF(RealtimeConstants) c = load_realtime();
@@ -35,7 +43,7 @@ bool history_belongs(ivec2 at, IN(EdgeTest) s, float allowance) {
 }
 
 // The mean of the four pixels around `position` that belong to the surface.
-History history_at(vec2 position, IN(EdgeTest) s, float moved) {
+History history_at(vec2 position, IN(EdgeTest) s, vec3 mapped, float moved) {
     LET_REF(RealtimeConstants) c = load_realtime();
     History h = no_history();
     // Also false for motion that is not a number.
@@ -53,6 +61,7 @@ History history_at(vec2 position, IN(EdgeTest) s, float moved) {
                        ((i & 2) != 0 ? part.y : 1.0f - part.y);
         if (weight < 1.0e-3f || !pixel_is_inside(at, c.size)) { continue; }
         if (!history_belongs(at, s, allowance)) { continue; }
+        weight *= history_likeness(at, mapped);
         vec4 frames = load_previous_history_length(at);
         h.direct += load_previous_direct_history(at) * weight;
         h.specular += load_previous_specular_history(at) * weight;
@@ -75,11 +84,12 @@ History load_history(ivec2 pixel, IN(EdgeTest) s, vec4 motion, float reach) {
     vec2 was = vec2(pixel) + vec2(motion.x, motion.y);
     EdgeTest before = s;
     before.depth = s.depth + motion.z;
-    History h = history_at(was, before, 0.0f);
+    vec3 mapped = octahedral_decode(load_normal(pixel).x);
+    History h = history_at(was, before, mapped, 0.0f);
     vec2 offset = virtual_motion(pixel, s.depth, reach, material_roughness(s.material));
     float moved = abs(offset.x) + abs(offset.y);
     if (!(moved > 0.125f)) { return h; }
-    History image = history_at(was + offset, before, moved);
+    History image = history_at(was + offset, before, mapped, moved);
     if (image.specular_frames > 0.0f) {
         h.specular = image.specular;
         h.specular_frames = image.specular_frames;
