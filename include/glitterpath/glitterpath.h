@@ -824,7 +824,8 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * looking into it. Whole numbers are converted to floats, normals and directions to xyz, `hit` to
  * instance and triangle, `material` to roughness, metallic, flags and mirrors. Images with a pixel
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
- * message names the nearest known one. */
+ * message names the nearest known one; an image that the frame's options do not make (reservoirs
+ * without light reuse) is GP_ERROR_INVALID_OPERATION. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
 /* The denoisers by name, and all their parameters with name, default, range and meaning, as a JSON
  * text; sizes as in gpDescribeScene. */

@@ -187,6 +187,10 @@ GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t 
             fail(GP_ERROR_INVALID_OPERATION, "only frames of GP_MODE_REALTIME have layers");
         checkRendered(f);
         const gp::RealtimeImage which = layerNamed(name);
+        if (!f.realtime->images().holds(which))
+            fail(GP_ERROR_INVALID_OPERATION,
+                 "the frame has no layer \"{}\": its options (lightReuse, denoiser) make none",
+                 name);
         const size_t needed = f.images.pixelCount() * sizeof(glm::vec4);
         if (size < needed)
             fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the layer has {} bytes", size,

@@ -71,7 +71,9 @@ void composeSky(Backend& backend, const std::vector<PlacedDraw>& draws, uint32_t
                       draws);
     for (const EdgePixel& e : edges) {
         const glm::vec4 c = color[e.index] + (1 - color[e.index].w) * (sky[e.index] - e.background);
-        sky[e.index] = glm::max(c, glm::vec4(0));
+        // The surface adds to its share of sky. Anti-aliasing over time bounds colours, but not
+        // coverage by the same amount: where the traced sky was bright, c would be below that.
+        sky[e.index] = glm::max(c, (1 - color[e.index].w) * sky[e.index]);
     }
     for (size_t i = 0; i < pixels; ++i)
         if (color[i].w < wholeCoverage) color[i] = sky[i];

@@ -56,13 +56,15 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     return c;
 }
 
-void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
+void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse) {
     const RealtimeViews& views = images_.views();
+    const bool reuses = lightReuse != LightReuse::none;
     if (views.size[size_t(RealtimeSize::FULL)] == full &&
-        views.size[size_t(RealtimeSize::OUTPUT)] == output)
+        views.size[size_t(RealtimeSize::OUTPUT)] == output &&
+        images_.holds(RealtimeImage::reservoir) == reuses)
         return;
     cut();
-    images_.resize(full, output);
+    images_.resize(full, output, reuses);
 }
 
 // The frame from top to bottom.
@@ -71,7 +73,8 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
-    resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
+    resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
+           plan.lightReuse);
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();

@@ -29,8 +29,8 @@ struct RealtimeResult {
 // What a frame of the application's remembers.
 class RealtimeFrame {
 public:
-    // Does nothing where the sizes are as they were; else history is forgotten.
-    void resize(glm::ivec2 full, glm::ivec2 output);
+    // Does nothing where sizes and images are as they were; else history is forgotten.
+    void resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse);
     // The next frame knows nothing of the ones before.
     void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }

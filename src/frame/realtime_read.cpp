@@ -35,9 +35,12 @@ struct Reader : ImageAccess {
     // Numbers that a person can look at.
     vec4 shown(RealtimeImage, float v) { return vec4(v, v, v, 1); }
     vec4 shown(RealtimeImage, vec2 v) { return vec4(v, 0, 1); }
+    vec4 shown(RealtimeImage, vec3 v) { return vec4(v, 1); }
     vec4 shown(RealtimeImage, vec4 v) { return v; }
     vec4 shown(RealtimeImage which, uint v) {
-        if (which == RealtimeImage::view) return vec4(octahedral_decode(v), 1);
+        if (which == RealtimeImage::normal || which == RealtimeImage::unmapped_normal ||
+            which == RealtimeImage::indirect_from)
+            return vec4(octahedral_decode(v), 1);
         if (which == RealtimeImage::barycentrics) {
             const vec2 b = unpack_barycentrics(v);
             return vec4(b, 1.0f - b.x - b.y, 1);
@@ -49,7 +52,6 @@ struct Reader : ImageAccess {
         return vec4(float(v), 0, 0, 1);
     }
     vec4 shown(RealtimeImage which, uvec2 v) {
-        if (which == RealtimeImage::normal) return vec4(octahedral_decode(v.x), 1);
         if (which == RealtimeImage::indirect_guide)
             return vec4(octahedral_decode(v.y), std::bit_cast<float>(v.x));
         return vec4(float(v.x), float(v.y), 0, 1);
@@ -57,7 +59,7 @@ struct Reader : ImageAccess {
 
     vec4 layer(RealtimeImage which, ivec2 p) {
         switch (which) {
-#define X(name, format, size, copies, meaning) \
+#define X(name, format, size, copies, memory, meaning) \
             case RealtimeImage::name: return shown(which, load_##name(p));
 #include "shared/realtime_images.def"
 #undef X
@@ -71,7 +73,7 @@ struct Reader : ImageAccess {
             case FrameImage::albedo: return vec4(vec3(albedo) + vec3(specular), 1);
             case FrameImage::normal:
                 return load_hit(p).x == HIT_NOTHING
-                           ? vec4(0) : vec4(octahedral_decode(load_normal(p).x), 0);
+                           ? vec4(0) : vec4(octahedral_decode(load_normal(p)), 0);
             case FrameImage::emission: return vec4(vec3(load_emission(p)), 1);
             case FrameImage::direct:
                 return vec4(vec3(albedo) * vec3(load_direct(p)) +

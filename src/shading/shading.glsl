@@ -8,6 +8,7 @@
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
 #include "shading/ycocg.glsl"
+#include "shading/rgb9e5.glsl"
 #include "shading/blending.glsl"
 #include "shading/sh.glsl"
 #include "shading/indirect_light.glsl"

@@ -30,9 +30,9 @@ bool past_surface_agrees(ivec2 pixel, ivec2 past, vec4 motion) {
     }
     float depth = load_depth(pixel);
     float error = abs(load_previous_depth(past) - (depth + motion.z));
-    vec3 n = octahedral_decode(load_normal(pixel).y);
+    vec3 n = octahedral_decode(load_unmapped_normal(pixel));
     return error < GRADIENT_DEPTH_ERROR * depth &&
-           dot(n, octahedral_decode(load_previous_normal(past).y)) > GRADIENT_NORMAL_COSINE;
+           dot(n, octahedral_decode(load_previous_unmapped_normal(past))) > GRADIENT_NORMAL_COSINE;
 }
 
 // A pixel that repeated another one had not the draws of its own place: it cannot be repeated by

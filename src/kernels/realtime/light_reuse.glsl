@@ -55,9 +55,9 @@ bool past_is_like(ivec2 pixel, ivec2 past, vec4 motion) {
     uint unfit = REALTIME_SKY | REALTIME_UNLIT;
     if ((unpack_material(load_previous_material(past)).flags & unfit) != 0u) { return false; }
     float depth = load_depth(pixel);
-    vec3 n = octahedral_decode(load_normal(pixel).y);
+    vec3 n = octahedral_decode(load_unmapped_normal(pixel));
     return abs(load_previous_depth(past) - (depth + motion.z)) < GRADIENT_DEPTH_ERROR * depth &&
-           dot(n, octahedral_decode(load_previous_normal(past).y)) > GRADIENT_NORMAL_COSINE;
+           dot(n, octahedral_decode(load_previous_unmapped_normal(past))) > GRADIENT_NORMAL_COSINE;
 }
 
 // Candidates of this frame, as shadow rays choose without reuse. Returns how many there are.

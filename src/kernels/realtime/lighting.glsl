@@ -151,13 +151,14 @@ vec3 finite_or_black(vec3 v) {
 
 void store_pixel_light(ivec2 pixel, IN(PixelLight) light) {
     vec3 direct = finite_or_black(light.direct);
-    vec3 indirect = ycocg_from_rgb(finite_or_black(light.indirect));
+    vec3 indirect = finite_or_black(light.indirect);
     vec3 specular = finite_or_black(light.specular);
     store_direct(pixel, vec4(direct, 1.0f));
-    store_indirect(pixel, vec4(indirect.x, light.indirect_from * indirect.x));
-    store_indirect_chroma(pixel, vec2(indirect.y, indirect.z));
+    store_indirect_raw(pixel, indirect);
+    store_indirect_from(pixel, octahedral_encode(light.indirect_from));
     store_specular(pixel, vec4(specular, light.specular_distance));
-    store_luma(pixel, vec4(luminance(direct), indirect.x, luminance(specular), 0.0f));
+    store_luma(pixel, vec4(luminance(direct), ycocg_from_rgb(indirect).x, luminance(specular),
+                           0.0f));
 }
 
 void realtime_light(ivec2 pixel) {

@@ -42,7 +42,8 @@ void store_no_surface(ivec2 pixel, IN(PixelView) seen, vec3 direction, vec3 thro
     store_hit(pixel, uvec2(HIT_NOTHING, 0u));
     store_barycentrics(pixel, 0u);
     store_depth(pixel, DEPTH_NONE);
-    store_normal(pixel, uvec2(towards, towards));
+    store_normal(pixel, towards);
+    store_unmapped_normal(pixel, towards);
     store_material(pixel, pack_material(m));
     store_view(pixel, towards);
     store_throughput(pixel, vec4(throughput, 0.0f));
@@ -94,7 +95,8 @@ void store_surface(ivec2 pixel, IN(PixelView) seen, IN(Hit) hit, IN(Surface) s,
     store_hit(pixel, uvec2(hit.instance, hit.primitive));
     store_barycentrics(pixel, pack_barycentrics(hit.u, hit.v));
     store_depth(pixel, pixels_from_world(load_camera(), at).z);
-    store_normal(pixel, uvec2(octahedral_encode(n), octahedral_encode(smooth_n)));
+    store_normal(pixel, octahedral_encode(n));
+    store_unmapped_normal(pixel, octahedral_encode(smooth_n));
     store_material(pixel, pack_material(m));
     store_view(pixel, octahedral_encode(wo));
     store_throughput(pixel, vec4(throughput, 0.0f));
