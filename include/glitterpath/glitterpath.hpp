@@ -158,6 +158,7 @@ public:
     void setEnvironment(const std::string& path, const GpEnvironmentDesc& desc = {}) {
         check(gpSetEnvironmentFromFile(get(), path.c_str(), &desc));
     }
+    void setCubemap(const GpCubemapDesc& desc) { check(gpSetCubemap(get(), &desc)); }
     void setSky(float sunAzimuth, float sunElevation, float sunLux = 0) {
         check(gpSetSky(get(), sunAzimuth, sunElevation, sunLux));
     }

@@ -105,6 +105,8 @@ FramePlan planFrom(const GpRenderOptions& o) {
     checkNotNegative(o.clamp, "options.clamp");
     plan.clampIndirect = o.clamp;
     plan.russianRoulette = o.noRussianRoulette == 0;
+    checkNotNegative(o.rayLength, "options.rayLength");
+    if (o.rayLength > 0) plan.rayLength = o.rayLength;
     plan.exposureEv = checkExposure(o.exposureEv);
     plan.tonemap = Tonemap(checkEnum(o.tonemap, 4, "options.tonemap"));
     plan.accumulate = o.accumulate != 0;

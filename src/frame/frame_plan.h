@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "frame/draw.h"
 #include "scene/camera.h"
@@ -44,6 +45,7 @@ struct FramePlan {
     float clampIndirect = 0;        // 0: off
     bool russianRoulette = true;
     bool lastByLights = false;      // the last surface of a path has a shadow ray only
+    float rayLength = std::numeric_limits<float>::max();  // metres; what lies beyond is sky
     float exposureEv = 0;
     Tonemap tonemap = Tonemap::agx;
     bool accumulate = false;

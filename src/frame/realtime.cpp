@@ -122,8 +122,8 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         run(RealtimePass::gradient_reproject);  // pixels that will tell what has changed
     run(RealtimePass::lighting);      // three noisy channels
     for (const DenoisePass& pass : denoisePasses(plan.denoiser)) filter(pass);  // less noisy ones
-    run(RealtimePass::composite);     // together again
-    run(RealtimePass::resolve);       // smooth edges, output size
+    filter(compositePass);            // together again
+    filter(resolvePass);              // smooth edges, output size
 
     const auto displayStart = Clock::now();
     result.exposureEv = frame.exposureEv;

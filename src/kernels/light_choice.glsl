@@ -298,6 +298,9 @@ ChosenLight chosen_light_point(IN(LightChoice) choice, vec3 p, vec2 u) {
     if (choice.pmf <= 0.0f) { return c; }
     if (choice.light != LIGHT_ENVIRONMENT) {
         c.point = sample_local_light(choice.light, p, u);
+        // No ray would meet a lamp that is farther away than rays are long.
+        bool beyond = c.point.distance > load_frame().ray_length;
+        if (beyond && c.point.distance < FLOAT_MAX) { c.point = light_sample_none(); }
         return c;
     }
     EnvironmentSample e = environment_sample(u);

@@ -163,7 +163,7 @@ Ray ray_from(IN(Surface) s, vec3 direction, float t_max) {
     ray.origin = offset_ray_origin(s.position, dot(s.ng, direction) > 0.0f ? s.ng : -s.ng);
     ray.direction = direction;
     ray.t_min = 0.0f;
-    ray.t_max = t_max;
+    ray.t_max = min(t_max, load_frame().ray_length);
     return ray;
 }
 

@@ -36,6 +36,7 @@
 #include "shading/light/lamp_point.glsl"
 #include "shading/light/triangle.glsl"
 #include "shading/light/environment.glsl"
+#include "shading/light/cube_map.glsl"
 #include "shading/light/tree.glsl"
 
 #include "shading/special.glsl"

@@ -233,6 +233,7 @@ struct FrameConstants {
     float tree_visibility;
     uint environment_cells;    // along each side of its sampling table; 0: uniform
     uint last_by_lights;       // 1: the last surface of a path has a shadow ray, but no other ray
+    float ray_length;          // metres: every ray ends there, and what lies beyond is sky
 };
 
 // Where GP_MODE_LOCAL computes light: GpShadingFrequency.

@@ -155,6 +155,10 @@ void addOptionRows(Rows& rows) {
                   [](GpRenderOptions& o) { o.clamp = nanf; }),
         optionRow("exposure out of range", GP_ERROR_OUT_OF_RANGE, "exposureEv",
                   [](GpRenderOptions& o) { o.exposureEv = -200; }),
+        optionRow("rays shorter than nothing", GP_ERROR_OUT_OF_RANGE, "options.rayLength is -1",
+                  [](GpRenderOptions& o) { o.rayLength = -1; }),
+        optionRow("ray length is NaN", GP_ERROR_NOT_FINITE, "options.rayLength",
+                  [](GpRenderOptions& o) { o.rayLength = nanf; }),
         optionRow("unknown tone map", GP_ERROR_INVALID_ARGUMENT, "options.tonemap",
                   [](GpRenderOptions& o) { o.tonemap = anyEnum<GpTonemap>(99); }),
     };

@@ -229,6 +229,46 @@ TEST(DenoiseRobustness, TwinsDoWhatThePlainKernelsDo) {
     }
 }
 
+// A picture of `output` pixels from `size` samples, over frames that move by any amount.
+std::vector<float> resolvedPicture(bool plain, ivec2 size, ivec2 output) {
+    DenoiseScene s(size);
+    s.memory.resize(size, output, false);
+    s.constants.output_size = output, s.constants.resolves = 1;
+    s.plain = plain;
+    std::vector<float> picture;
+    for (uint frame = 0; frame < 4; ++frame) {
+        s.constants.jitter = vec2(0.3f, -0.4f) * float(frame % 2);
+        s.forEach([&](ivec2 p) {
+            const auto u = [&](uint i) { return noise(p, frame, i); };
+            s.images.store_color(p, vec4(u(0), u(1), 20 * u(2) * u(2), u(3) < 0.5f ? 0 : 1));
+            s.images.store_depth(p, u(4) < 0.1f ? DEPTH_NONE : 1 + u(5));
+            s.images.store_motion(p, frame == 2 ? vec4(0)  // the past lies on whole pixels
+                                                : vec4(9 * u(6) - 4, 9 * u(7) - 4, 0, 0));
+        });
+        s.run(resolvePass);
+        s.next();
+    }
+    s.next();
+    for (int y = 0; y < output.y; ++y)
+        for (int x = 0; x < output.x; ++x)
+            for (int c = 0; c < 4; ++c) picture.push_back(s.images.load_output(ivec2(x, y))[c]);
+    return picture;
+}
+
+TEST(DenoiseRobustness, ThePictureIsThatOfThePlainKernel) {
+    constexpr ivec2 sizes[][2] = {{{140, 9}, {140, 9}}, {{70, 33}, {131, 64}}, {{1, 1}, {1, 2}},
+                                  {{3, 5}, {3, 5}}};
+    for (const auto& size : sizes) {
+        const auto plain = resolvedPicture(true, size[0], size[1]);
+        const auto fast = resolvedPicture(false, size[0], size[1]);
+        for (size_t i = 0; i < plain.size(); ++i)  // halves
+            ASSERT_NEAR(plain[i], fast[i], 2e-3f * (1 + std::abs(plain[i])))
+                << size[1].x << " " << i;
+        const auto [least, most] = std::minmax_element(plain.begin(), plain.end());
+        EXPECT_LT(*least + 0.2f, *most + (size[0].x == 1 ? 1 : 0));
+    }
+}
+
 TEST(DenoiseRobustness, NamesGoBothWays) {
     for (size_t i = 0; i < denoiserCount; ++i)
         EXPECT_EQ(denoiserFromName(denoiserName(Denoiser(i))), Denoiser(i));

@@ -110,16 +110,17 @@ struct DenoiseScene {
                p == repeatedPixel(p / 3);
     }
 
+    void run(const DenoisePass& pass) {
+        const int32_t rows = memory.views().size[size_t(denoiseSize(pass.kernel))].y;
+        tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int32_t i) {
+            const cpu::DenoiseJob job{&memory.views(), &constants, &camera, &previousCamera,
+                                      pass.parameter, i * rowsAtOnce,
+                                      std::min(rows, (i + 1) * rowsAtOnce)};
+            (plain ? kernels->plain : kernels->run)[size_t(pass.kernel)](job);
+        });
+    }
     void denoise(Denoiser denoiser) {
-        for (const DenoisePass& pass : denoisePasses(denoiser)) {
-            const int32_t rows = memory.views().size[size_t(denoiseSize(pass.kernel))].y;
-            tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int32_t i) {
-                const cpu::DenoiseJob job{&memory.views(), &constants, &camera, &previousCamera,
-                                          pass.parameter, i * rowsAtOnce,
-                                          std::min(rows, (i + 1) * rowsAtOnce)};
-                (plain ? kernels->plain : kernels->run)[size_t(pass.kernel)](job);
-            });
-        }
+        for (const DenoisePass& pass : denoisePasses(denoiser)) run(pass);
     }
 
     // The frame is over: the next one remembers it.

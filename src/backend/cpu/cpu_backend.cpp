@@ -98,6 +98,7 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.environment_cos = view.environmentCos, f.environment_sin = view.environmentSin;
     f.environment_cells = view.environment.side;
     f.last_by_lights = plan.lastByLights;
+    f.ray_length = plan.rayLength;
     return f;
 }
 

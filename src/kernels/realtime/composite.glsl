@@ -14,7 +14,7 @@ vec3 composite_indirect(ivec2 pixel) {
                           octahedral_decode(load_normal(pixel)));
 }
 
-void realtime_composite(ivec2 pixel) {
+void realtime_composite(ivec2 pixel, int) {
     vec4 emission = load_emission(pixel);
     vec3 diffuse = vec3(load_direct(pixel)) + composite_indirect(pixel);
     vec3 color = vec3(emission) + vec3(load_albedo(pixel)) * diffuse +

@@ -23,7 +23,9 @@ Ray realtime_camera_ray(ivec2 pixel) {
     LET_REF(RealtimeConstants) r = load_realtime();
     vec2 film = vec2((float(pixel.x) + 0.5f + r.jitter.x) / float(r.size.x),
                      (float(pixel.y) + 0.5f + r.jitter.y) / float(r.size.y));
-    return camera_ray_through_lens(load_camera(), film, vec2(0.0f));
+    Ray ray = camera_ray_through_lens(load_camera(), film, vec2(0.0f));
+    ray.t_max = load_frame().ray_length;
+    return ray;
 }
 
 // The draws of a pixel in frame `frame_index`.
