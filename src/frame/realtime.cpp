@@ -56,15 +56,17 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     return c;
 }
 
-void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse) {
+void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse,
+                           Denoiser denoiser) {
     const RealtimeViews& views = images_.views();
-    const bool reuses = lightReuse != LightReuse::none;
+    const bool reuses = lightReuse != LightReuse::none, fits = denoiser == Denoiser::bmfr;
     if (views.size[size_t(RealtimeSize::FULL)] == full &&
         views.size[size_t(RealtimeSize::OUTPUT)] == output &&
-        images_.holds(RealtimeImage::reservoir) == reuses)
+        images_.holds(RealtimeImage::reservoir) == reuses &&
+        images_.holds(RealtimeImage::fitted_diffuse) == fits)
         return;
     cut();
-    images_.resize(full, output, reuses);
+    images_.resize(full, output, reuses, fits);
 }
 
 // The frame from top to bottom.
@@ -74,7 +76,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     const auto start = Clock::now();
     RealtimeResult result;
     resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
-           plan.lightReuse);
+           plan.lightReuse, plan.denoiser);
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
@@ -89,7 +91,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     motion_.compare(scene, backendScene.lights());
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
-    images_.filtered = plan.denoiser != Denoiser::none;
+    images_.filtered = filtersIndirect(plan.denoiser);
 
     const shared::RealtimeConstants c = constants(plan, hasPrevious);
     FramePlan frame = plan.frame;

@@ -30,7 +30,7 @@ struct RealtimeResult {
 class RealtimeFrame {
 public:
     // Does nothing where sizes and images are as they were; else history is forgotten.
-    void resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse);
+    void resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse, Denoiser denoiser);
     // The next frame knows nothing of the ones before.
     void cut() { previousCamera_.reset(), eye_.reset(); }
     const RealtimeImages& images() const { return images_; }

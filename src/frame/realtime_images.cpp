@@ -86,19 +86,26 @@ void RealtimeImages::lodge(Places& places) const {
     }
 }
 
-void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse) {
+void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse,
+                            bool bmfr) {
     RealtimeImages made(lends_);
     made.views_.size[size_t(RealtimeSize::FULL)] = full;
     made.views_.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
     made.views_.size[size_t(RealtimeSize::OUTPUT)] = output;
+    // Blocks begin up to 31 pixels outside of the picture (kernels/realtime/bmfr_fit.glsl).
+    made.views_.size[size_t(RealtimeSize::BLOCK)] = (full + 31) / 32 + 1;
     const auto place = [&](Set set, size_t i, size_t& end) {
         made.places_[i] = {set, end};
         end += bytesOf(made.views_, RealtimeImage(i));
     };
     size_t twice = 0, once = 0;
+    const auto isThere = [&](RealtimeMemory memory) {
+        return memory == RealtimeMemory::REUSE  ? lightReuse
+               : memory == RealtimeMemory::BMFR ? bmfr
+                                                : true;
+    };
     for (size_t i = 0; i < realtimeImageCount; ++i)
-        if (realtimeImageInfos[i].copies == 2 &&
-            (realtimeImageInfos[i].memory == RealtimeMemory::OWN || lightReuse))
+        if (realtimeImageInfos[i].copies == 2 && isThere(realtimeImageInfos[i].memory))
             place(Set::current, i, twice);
     if (lends_) made.lodge(made.places_);
     for (size_t i = 0; i < realtimeImageCount; ++i)

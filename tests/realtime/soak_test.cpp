@@ -155,7 +155,7 @@ private:
     }
     void render() {
         GpRenderOptions o{};
-        o.realtime.denoiser = GpDenoiser(pick(4));
+        o.realtime.denoiser = GpDenoiser(pick(5));
         o.realtime.lightReuse = GpLightReuse(pick(3));
         o.realtime.antiAliasing = GpAntiAliasing(pick(3));
         o.realtime.renderScale = pick(4) == 0 ? 0.6f : 1.0f;
