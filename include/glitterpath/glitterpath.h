@@ -398,8 +398,15 @@ typedef enum GpVisibility {
     GP_VISIBILITY_WORLD = 0,        /* everyone's */
     GP_VISIBILITY_FIRST_PERSON = 1, /* the viewer's hands and weapon: the camera sees them; they are
                                        in no reflection, cast no shadow and light nothing */
-    GP_VISIBILITY_VIEWER_BODY = 2   /* the body that the viewer stands in: reflected and casting
+    GP_VISIBILITY_VIEWER_BODY = 2,  /* the body that the viewer stands in: reflected and casting
                                        shadows, but the camera looks through it */
+    GP_VISIBILITY_SKY = 3           /* sky geometry, a small world of its own: rays of every kind
+                                       that meet nothing else see it, all from the one point that
+                                       GpRenderOptions.skyViewerPosition says, and before the
+                                       environment. It shows its base colour plus its emission
+                                       (unlit: the base colour), whatever light there is; what it
+                                       shows lights the scene as an environment does. Suns lie
+                                       before it, and it is not in the scene's bounds */
 } GpVisibility;
 
 typedef struct GpInstanceDesc {
@@ -763,6 +770,12 @@ typedef struct GpRealtimeOptions {
     GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
+    GpLightReuse indirectReuse; /* the same for light of surfaces: pixels hand on where their bounce
+                               rays arrived and the light that shone there [Ouyang et al. 2021,
+                               "ReSTIR GI"]. Light of further bounces, and smooth lobes, are not
+                               handed on. A change forgets history */
+    uint32_t skyCubeSize;   /* pixels along each side of the cube that GP_DRAW_SKY is drawn into for
+                               reflections and light: 16..1024, 0 = 128 */
 } GpRealtimeOptions;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
@@ -794,6 +807,9 @@ typedef struct GpRenderOptions {
                                   reflections, bounces and shadows: what lies beyond is not seen and
                                   hides nothing, sky is in its place, and lamps that are farther
                                   away light nothing (GP_MODE_LOCAL: only camera rays end) */
+    float skyViewerPosition[3];/* GP_VISIBILITY_SKY is seen from here + skyScale * the camera's */
+    float skyScale;            /* position. 0 = a sky that does not move with the camera, 1/16 =
+                                  one that was built at a sixteenth of its size */
 } GpRenderOptions;
 
 #define GP_NO_BOUNCES (-1)
@@ -874,8 +890,12 @@ typedef enum GpDrawTarget {
                             blended so; float textures are encoded */
     GP_DRAW_SKY = 2      /* into GP_IMAGE_COLOR, only where camera rays met nothing; pixels at the
                             edges of surfaces get their share. Seen with the camera at the origin,
-                            so that what surrounds (0, 0, 0) seems infinitely far away. Reflections
-                            and bounced light do not see it yet: they see the environment */
+                            so that what surrounds (0, 0, 0) seems infinitely far away. In frames
+                            of GP_MODE_REALTIME what is drawn with GP_VIEW_CAMERA is drawn into a
+                            cube too (GpRealtimeOptions.skyCubeSize; viewport does not count
+                            there), over environment and sky geometry: that is what mirrors,
+                            reflections and bounced light see then, and what lights the scene. In
+                            the other modes these see the environment */
 } GpDrawTarget;
 
 /* What positions mean. The lens of the camera (apertureRadius) never blurs what is drawn. */

@@ -84,7 +84,8 @@ DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.mirrorLimit == 0 && o.skyCubeSize == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.indirectReuse == 0 &&
            o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
            o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
 }
@@ -97,6 +98,8 @@ RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
     plan.lightReuse =
         LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.indirectReuse =
+        LightReuse(checkEnum(o.realtime.indirectReuse, 3, "options.realtime.indirectReuse"));
     plan.denoiser = Denoiser(checkEnum(o.realtime.denoiser, denoiserCount,
                                        "options.realtime.denoiser"));
     plan.parameters = parametersFrom(o.realtime);
@@ -116,6 +119,10 @@ void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
     const float scale = o.realtime.renderScale == 0 ? 1 : o.realtime.renderScale;
     checkRange(scale, 0.5, 1, "options.realtime.renderScale");
     plan.outputSize = output;
+    if (const uint32_t size = o.realtime.skyCubeSize; size != 0) {
+        checkRange(size, 16, 1024, "options.realtime.skyCubeSize");
+        plan.frame.skyCubeSize = size;
+    }
     plan.frame.width = std::max(1u, uint32_t(std::lround(scale * float(output.x))));
     plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }
@@ -190,7 +197,8 @@ GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t 
         const gp::RealtimeImage which = layerNamed(name);
         if (!f.realtime->images().holds(which))
             fail(GP_ERROR_INVALID_OPERATION,
-                 "the frame has no layer \"{}\": its options (lightReuse, denoiser) make none",
+                 "the frame has no layer \"{}\": its options (lightReuse, indirectReuse, denoiser) "
+                 "make none",
                  name);
         const size_t needed = f.images.pixelCount() * sizeof(glm::vec4);
         if (size < needed)

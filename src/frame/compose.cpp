@@ -20,12 +20,6 @@ std::vector<PlacedDraw> drawsOf(const DrawList& draws, DrawTarget target, const 
     return placed;
 }
 
-bool usesDepth(const std::vector<PlacedDraw>& draws) {
-    return std::any_of(draws.begin(), draws.end(), [](const PlacedDraw& d) {
-        return d.draw->state.depthTest != DEPTH_ALWAYS || d.draw->state.depthWrite;
-    });
-}
-
 // Sums of ones that were divided by their number: less than this is an edge, not rounding.
 constexpr float wholeCoverage = 0.99999f;
 
@@ -80,6 +74,12 @@ void composeSky(Backend& backend, const std::vector<PlacedDraw>& draws, uint32_t
 }
 
 }  // namespace
+
+bool usesDepth(const std::vector<PlacedDraw>& draws) {
+    return std::any_of(draws.begin(), draws.end(), [](const PlacedDraw& d) {
+        return d.draw->state.depthTest != DEPTH_ALWAYS || d.draw->state.depthWrite;
+    });
+}
 
 void composeDraws(Backend& backend, const DrawList& draws, const Camera& camera, uint32_t width,
                   uint32_t height, glm::vec4* color, const float* depth) {

@@ -34,8 +34,8 @@ const char* const passNames[] = {
 
 }  // namespace
 
-shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
-                                                   bool hasPrevious) const {
+shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, bool hasPrevious,
+                                                   bool sceneChanged) const {
     const RealtimeViews& views = images_.views();
     shared::RealtimeConstants c{};
     c.size = views.size[size_t(RealtimeSize::FULL)];
@@ -48,6 +48,8 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.relights = images_.filtered;
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
     c.light_reuse = uint32_t(plan.lightReuse);
+    c.indirect_reuse = uint32_t(plan.indirectReuse);
+    c.scene_changed = sceneChanged;
     c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = plan.parameters.name;
@@ -56,17 +58,14 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     return c;
 }
 
-void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse,
-                           Denoiser denoiser) {
+void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     const RealtimeViews& views = images_.views();
-    const bool reuses = lightReuse != LightReuse::none, fits = denoiser == Denoiser::bmfr;
     if (views.size[size_t(RealtimeSize::FULL)] == full &&
         views.size[size_t(RealtimeSize::OUTPUT)] == output &&
-        images_.holds(RealtimeImage::reservoir) == reuses &&
-        images_.holds(RealtimeImage::fitted_diffuse) == fits)
+        images_.reuse() == reuse)
         return;
     cut();
-    images_.resize(full, output, reuses, fits);
+    images_.resize(full, output, reuse);
 }
 
 // The frame from top to bottom.
@@ -76,25 +75,33 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     const auto start = Clock::now();
     RealtimeResult result;
     resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
-           plan.lightReuse, plan.denoiser);
+           {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none,
+            plan.denoiser == Denoiser::bmfr});
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
-    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
-    denoiser_ = plan.denoiser, lightReuse_ = plan.lightReuse;
+    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_ ||
+        plan.indirectReuse != indirectReuse_)
+        previousCamera_.reset();
+    denoiser_ = plan.denoiser;
+    lightReuse_ = plan.lightReuse, indirectReuse_ = plan.indirectReuse;
+    FramePlan frame = plan.frame;
+    const auto skyStart = Clock::now();
+    sky_.update(backend, backendScene, scene, frame);
+    if (frame.sky) result.passes.push_back({"sky", millisecondsSince(skyStart)});
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
     if (!hasPrevious) {
         motion_.forget();
-        lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
+        lightVisibility_ = backend.estimateLightVisibility(backendScene, frame);
     }
     motion_.compare(scene, backendScene.lights());
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
     images_.filtered = filtersIndirect(plan.denoiser);
 
-    const shared::RealtimeConstants c = constants(plan, hasPrevious);
-    FramePlan frame = plan.frame;
+    const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
+    const shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);
     frame.lightVisibility = lightVisibility_;
     const RealtimeJob job{backendScene, frame, previous ? *previous : frame.camera, c, motion_,
                           images_.views()};

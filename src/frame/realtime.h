@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "frame/frame_sky.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
@@ -30,9 +31,9 @@ struct RealtimeResult {
 class RealtimeFrame {
 public:
     // Does nothing where sizes and images are as they were; else history is forgotten.
-    void resize(glm::ivec2 full, glm::ivec2 output, LightReuse lightReuse, Denoiser denoiser);
+    void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse);
     // The next frame knows nothing of the ones before.
-    void cut() { previousCamera_.reset(), eye_.reset(); }
+    void cut() { previousCamera_.reset(), eye_.reset(), sky_.forget(); }
     const RealtimeImages& images() const { return images_; }
 
     // One frame, into images() and `picture`. When cancelled or failing, history is forgotten.
@@ -41,7 +42,8 @@ public:
                           std::atomic<bool>& cancel);
 
 private:
-    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious) const;
+    shared::RealtimeConstants constants(const RealtimePlan& plan, bool hasPrevious,
+                                        bool sceneChanged) const;
 
     RealtimeImages images_;
     SceneMotion motion_;
@@ -50,8 +52,10 @@ private:
     glm::vec2 jitter_{0};
     uint32_t index_ = 0;
     Denoiser denoiser_ = Denoiser::none;      // of the last frame
-    LightReuse lightReuse_ = LightReuse::none;
+    LightReuse lightReuse_ = LightReuse::none, indirectReuse_ = LightReuse::none;
+    uint64_t sceneRevision_ = 0;
     Eye eye_;
+    FrameSky sky_;
 };
 
 }  // namespace gp

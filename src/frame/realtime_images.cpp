@@ -86,8 +86,7 @@ void RealtimeImages::lodge(Places& places) const {
     }
 }
 
-void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse,
-                            bool bmfr) {
+void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     RealtimeImages made(lends_);
     made.views_.size[size_t(RealtimeSize::FULL)] = full;
     made.views_.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
@@ -98,14 +97,14 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse,
         made.places_[i] = {set, end};
         end += bytesOf(made.views_, RealtimeImage(i));
     };
-    size_t twice = 0, once = 0;
-    const auto isThere = [&](RealtimeMemory memory) {
-        return memory == RealtimeMemory::REUSE  ? lightReuse
-               : memory == RealtimeMemory::BMFR ? bmfr
-                                                : true;
+    const auto isWanted = [&](RealtimeMemory memory) {
+        return memory == RealtimeMemory::OWN || (memory == RealtimeMemory::REUSE && reuse.light) ||
+               (memory == RealtimeMemory::INDIRECT_REUSE && reuse.indirect) ||
+               (memory == RealtimeMemory::BMFR && reuse.bmfr);
     };
+    size_t twice = 0, once = 0;
     for (size_t i = 0; i < realtimeImageCount; ++i)
-        if (realtimeImageInfos[i].copies == 2 && isThere(realtimeImageInfos[i].memory))
+        if (realtimeImageInfos[i].copies == 2 && isWanted(realtimeImageInfos[i].memory))
             place(Set::current, i, twice);
     if (lends_) made.lodge(made.places_);
     for (size_t i = 0; i < realtimeImageCount; ++i)
@@ -114,6 +113,7 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse,
     made.current_.resize(twice), made.previous_.resize(twice), made.single_.resize(once);
     current_.swap(made.current_), previous_.swap(made.previous_), single_.swap(made.single_);
     places_ = made.places_, views_ = made.views_;
+    reuse_ = reuse;
     point();
 }
 

@@ -15,7 +15,7 @@ enum class RealtimeFormat : uint8_t {
 };
 // BLOCK: of no image, but what a kernel is counted in that does BMFR's blocks of 32 x 32 pixels.
 enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT, BLOCK };
-enum class RealtimeMemory : uint8_t { OWN, REUSE, BMFR, LENT, SCRATCH };
+enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, BMFR, LENT, SCRATCH };
 
 enum class RealtimeImage : uint32_t {
 #define X(name, format, size, copies, memory, meaning) name,
@@ -52,6 +52,13 @@ constexpr size_t realtimeLayerCount = 0
 #undef X
     ;
 
+// Which images the options ask for, beside those that every frame has.
+struct ReuseImages {
+    bool light = false, indirect = false;
+    bool bmfr = false;  // the denoiser that fits
+    bool operator==(const ReuseImages&) const = default;
+};
+
 // Where the kernels find the pixels, row after row; `previous` is null where there is one copy,
 // both are where the frame's options need no such image.
 struct RealtimeViews {
@@ -67,17 +74,17 @@ public:
     RealtimeImages(const RealtimeImages&) = delete;
     RealtimeImages& operator=(const RealtimeImages&) = delete;
 
-    // `full`: of rays; `output`: of the picture, not smaller. All zeros. The flags say
-    // which images are there at all. Throws std::bad_alloc.
-    void resize(glm::ivec2 full, glm::ivec2 output, bool lightReuse, bool bmfr);
+    // `full`: of rays; `output`: of the picture, not smaller. All zeros. Throws std::bad_alloc.
+    void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse = {});
     // What this frame writes becomes what the next one remembers.
     void swap();
     const RealtimeViews& views() const { return views_; }
     glm::ivec2 size(RealtimeImage image) const;
     // Whether the image can be looked at, now that the frame is done.
     bool holds(RealtimeImage image) const;
+    ReuseImages reuse() const { return reuse_; }
     uint64_t bytes() const;
-    // Of all images together where output and full are of one size, without light reuse; rounded
+    // Of all images together where output and full are of one size, without any reuse; rounded
     // up.
     static size_t bytesPerPixel();
 
@@ -99,6 +106,7 @@ private:
     std::vector<std::byte> current_, previous_, single_;
     Places places_;
     RealtimeViews views_{};
+    ReuseImages reuse_;
 };
 
 }  // namespace gp

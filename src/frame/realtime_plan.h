@@ -20,6 +20,7 @@ struct RealtimePlan {
     uint32_t mirrorLimit = 4;     // reflections and refractions before the surface that is shown
     AntiAliasing antiAliasing = AntiAliasing::temporal;
     LightReuse lightReuse = LightReuse::none;
+    LightReuse indirectReuse = LightReuse::none;
     Denoiser denoiser = Denoiser::asvgf;
     DenoiserParameters parameters;
     bool resetHistory = false;

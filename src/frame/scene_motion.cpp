@@ -47,17 +47,33 @@ void SceneMotion::compare(const Scene& scene, const LightTable& lights) {
     compareLights(scene, lights);
 }
 
+// Most frames have the lights of the last one in the same order, whatever else changed of them.
+bool SceneMotion::sameLights(const Scene& scene, const LightTable& lights) const {
+    if (pastLights_.size() != lights.lights.size()) return false;
+    for (size_t i = 0; i < pastLights_.size(); ++i) {
+        const PastLight& past = pastLights_[i];
+        if (past.primitive != lights.lights[i].primitive) return false;
+        if (i < lights.sources.size()) {
+            if (past.light != scene.lights[lights.sources[i]]) return false;
+        } else if (past.light || past.instance != lights.lights[i].instance ||
+                   currentOfPrevious_[past.instance] != past.instance) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void SceneMotion::compareLights(const Scene& scene, const LightTable& lights) {
     currentLight_.assign(pastLights_.size(), NO_INDEX);
-    // Most frames change nothing of this.
-    if (scene.revision == pastRevision_ && pastLights_.size() == lights.lights.size()) {
+    sameLights_ = sameLights(scene, lights);
+    if (sameLights_) {
         for (uint32_t i = 0; i < currentLight_.size(); ++i) currentLight_[i] = i;
         return;
     }
     std::unordered_map<uint64_t, uint32_t> byId;
     std::unordered_map<const Light*, uint32_t> byObject;
     for (uint32_t i = 0; i < lights.sources.size(); ++i) {
-        const Light& light = *lights.sources[i];
+        const Light& light = *scene.lights[lights.sources[i]];
         if (light.id != 0) byId.try_emplace(light.id, i);  // of a polygon its first triangle
         else byObject.try_emplace(&light, i);
     }
@@ -82,15 +98,12 @@ void SceneMotion::compareLights(const Scene& scene, const LightTable& lights) {
 }
 
 void SceneMotion::rememberLights(const Scene& scene, const LightTable& lights) {
-    if (scene.revision == pastRevision_ && pastLights_.size() == lights.lights.size()) return;
-    pastRevision_ = scene.revision;
-    std::unordered_map<const Light*, std::shared_ptr<const Light>> owners;
-    for (const auto& light : scene.lights) owners[light.get()] = light;
+    if (sameLights_) return;
     pastLights_.assign(lights.lights.size(), {});
     for (size_t i = 0; i < pastLights_.size(); ++i) {
         PastLight& past = pastLights_[i];
         if (i < lights.sources.size()) {
-            past.light = owners.at(lights.sources[i]);
+            past.light = scene.lights[lights.sources[i]];
             past.id = past.light->id;
         } else {
             past.instance = lights.lights[i].instance;
@@ -123,6 +136,7 @@ void SceneMotion::remember(const Scene& scene, const LightTable& lights) {
 
 void SceneMotion::forget() {
     past_.clear(), byId_.clear(), byObject_.clear(), vertices_.clear(), pastLights_.clear();
+    sameLights_ = false;
 }
 
 }  // namespace gp

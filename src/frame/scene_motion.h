@@ -36,6 +36,7 @@ private:
         uint64_t id = 0;
         uint32_t instance = 0, primitive = 0;      // of a polygon: which of its triangles
     };
+    bool sameLights(const Scene& scene, const LightTable& lights) const;
     void compareLights(const Scene& scene, const LightTable& lights);
     void rememberLights(const Scene& scene, const LightTable& lights);
 
@@ -59,7 +60,7 @@ private:
     std::unordered_map<const Mesh*, Vertices> vertices_;  // of dynamic meshes
 
     std::vector<PastLight> pastLights_;
-    uint64_t pastRevision_ = 0;
+    bool sameLights_ = false;  // as pastLights_ has them; by compare()
 
     std::vector<shared::PreviousInstance> instances_;
     std::vector<const glm::vec3*> positions_;

@@ -7,6 +7,7 @@
 #define GP_KERNELS_LIGHT_CHOICE_GLSL
 #include "kernels/environment.glsl"
 #include "kernels/material.glsl"
+#include "kernels/sky.glsl"
 #include "shading/colour.glsl"
 #include "shading/light/directional.glsl"
 #include "shading/light/rectangle.glsl"
@@ -41,21 +42,30 @@ float directional_importance(IN(LightRecord) record, vec3 normal) {
     return luminance(record.emission) * clamp(c, 0.0f, 1.0f);
 }
 
-LightNode light_node(IN(LightTreeNode) n) {
-    LightNode b;
-    b.lo = n.lo;
-    b.phi = n.phi;
-    b.hi = n.hi;
-    b.cos_theta_o = n.cos_theta_o;
-    b.w = n.w;
-    b.cos_theta_e = n.cos_theta_e;
-    b.two_sided = n.two_sided;
-    return b;
-}
+// How much each child of a node may matter to a point.
+struct LightChildren {
+    float importance[LIGHT_TREE_WIDTH];
+    float sum;
+};
 
-float light_tree_importance(uint node, vec3 p, vec3 normal) {
+LightChildren light_children(uint node, vec3 p, vec3 normal) {
     LET_REF(LightTreeNode) n = load_light_node(node);
-    return light_node_importance(light_node(n), p, normal, normal == vec3(0.0f) ? 1u : 0u);
+    uint transmissive = normal == vec3(0.0f) ? 1u : 0u;
+    LightChildren c;
+    for (int i = 0; i < LIGHT_TREE_WIDTH; ++i) {
+        LightNode child;
+        child.centre = vec3(n.centre_x[i], n.centre_y[i], n.centre_z[i]);
+        child.radius2 = n.radius2[i];
+        child.phi = n.phi[i];
+        child.w = vec3(n.axis_x[i], n.axis_y[i], n.axis_z[i]);
+        child.cos_theta_o = n.cos_theta_o[i];
+        child.cos_theta_e = n.cos_theta_e[i];
+        child.two_sided = n.child[i] & LIGHT_TREE_TWO_SIDED;
+        c.importance[i] = light_node_importance(child, p, normal, transmissive);
+    }
+    c.sum = 0.0f;
+    for (int i = 0; i < LIGHT_TREE_WIDTH; ++i) { c.sum += c.importance[i]; }
+    return c;
 }
 
 LightGroups light_groups(vec3 p, vec3 normal) {
@@ -70,7 +80,7 @@ LightGroups light_groups(vec3 p, vec3 normal) {
     g.tree = 0.0f;
     if (f.tree_nodes != 0u) {
         // Power over squared distance is pi times the irradiance of a Lambertian emitter.
-        float importance = light_tree_importance(0u, p, normal) * INV_PI * f.tree_visibility;
+        float importance = light_children(0u, p, normal).sum * INV_PI * f.tree_visibility;
         float others = g.environment + g.directional;
         // Bounds are crude; no group that may matter is left to chance alone.
         g.tree = others > 0.0f && importance > 0.0f
@@ -112,29 +122,28 @@ uint light_group(uint light) {
     return light < f.directional_lights ? 1u : 2u;
 }
 
-// Down the tree: u is stretched anew at every turn.
+// Down the tree: u is stretched anew at every node.
 LightChoice choose_from_tree(vec3 p, vec3 normal, float u, float pmf) {
     LightChoice choice;
     choice.light = NO_INDEX;
     choice.pmf = 0.0f;
-    uint node = 0u;
-    while (load_light_node(node).is_leaf == 0u) {
-        uint second = load_light_node(node).child_or_light;
-        float a = light_tree_importance(node + 1u, p, normal);
-        float b = light_tree_importance(second, p, normal);
-        if (!(a + b > 0.0f)) { return choice; }
-        float q = a / (a + b);
-        if (u < q) {
-            u = min(u / q, ONE_MINUS_EPSILON);
-            pmf *= q;
-            node = node + 1u;
-        } else {
-            u = min((u - q) / (1.0f - q), ONE_MINUS_EPSILON);
-            pmf *= 1.0f - q;
-            node = second;
+    uint child = 0u;
+    while ((child & LIGHT_TREE_LEAF) == 0u) {
+        uint node = child & LIGHT_TREE_INDEX;
+        LightChildren c = light_children(node, p, normal);
+        float x = u * c.sum;
+        int i = 0;
+        while (i < LIGHT_TREE_WIDTH - 1 && x >= c.importance[i]) {
+            x -= c.importance[i];
+            ++i;
         }
+        float w = c.importance[i];
+        if (!(w > 0.0f)) { return choice; }  // nothing matters; rounding, once in millions
+        u = min(x / w, ONE_MINUS_EPSILON);
+        pmf *= w / c.sum;
+        child = load_light_node(node).child[i];
     }
-    choice.light = load_light_node(node).child_or_light;
+    choice.light = child & LIGHT_TREE_INDEX;
     choice.pmf = pmf;
     return choice;
 }
@@ -180,18 +189,16 @@ float light_choice_pmf(IN(LightGroups) g, vec3 p, vec3 normal, uint index) {
         return directional_importance(load_light(index), normal) * f.directional_visibility / sum;
     }
     if (g.resampled != 0u) { return 1.0f; }
+    // From the light up to the root: no longer path than the choice took.
     float pmf = g.tree / sum;
-    uint trail = load_light(index).trail;
-    uint node = 0u;
-    while (load_light_node(node).is_leaf == 0u) {
-        uint second = load_light_node(node).child_or_light;
-        float a = light_tree_importance(node + 1u, p, normal);
-        float b = light_tree_importance(second, p, normal);
-        if (!(a + b > 0.0f)) { return 0.0f; }
-        bool right = (trail & 1u) != 0u;
-        pmf *= (right ? b : a) / (a + b);
-        node = right ? second : node + 1u;
-        trail >>= 1u;
+    uint place = load_light(index).leaf;
+    while (true) {
+        uint node = place / uint(LIGHT_TREE_WIDTH);
+        LightChildren c = light_children(node, p, normal);
+        if (!(c.sum > 0.0f)) { return 0.0f; }
+        pmf *= c.importance[place % uint(LIGHT_TREE_WIDTH)] / c.sum;
+        if (node == 0u) { return pmf; }
+        place = load_light_node(node).parent;
     }
     return pmf;
 }
@@ -317,8 +324,9 @@ ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_c
 }
 
 vec3 chosen_light_radiance(IN(ChosenLight) c) {
-    return c.light == LIGHT_ENVIRONMENT ? environment_radiance_at(c.environment_uv)
-                                        : c.point.radiance;
+    if (c.light != LIGHT_ENVIRONMENT) { return c.point.radiance; }
+    return sky_is_traced(false) ? sky_background(c.point.wi, 0.0f)
+                                : environment_radiance_at(c.environment_uv);
 }
 
 // The density in solid angle with which sample_local_light leads from p to the point p + to_light

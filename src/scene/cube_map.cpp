@@ -80,21 +80,9 @@ uint32_t samplesAcross(uint32_t size, uint32_t width) {
     return std::max(2u, (8 * size + width - 1) / width);
 }
 
-}  // namespace
-
-CubeMap cubeMapOf(const std::array<const Texture*, 6>& faces) {
-    CubeMap cube;
-    cube.size = faces[0]->levels[0].width;
-    const size_t count = size_t(cube.size) * cube.size;
-    cube.texels.resize(6 * count);
-    tbb::parallel_for(size_t(0), size_t(6),
-                      [&](size_t i) { decodeFace(*faces[i], &cube.texels[i * count]); });
-    return cube;
-}
-
-void latLongFromCube(const CubeMap& cube, const glm::mat3& cubeFromImage, LatLongImage& image) {
+void resample(const CubeMap& cube, const glm::mat3& cubeFromImage, uint32_t n,
+              LatLongImage& image) {
     const CubeReader reader(cube);
-    const uint32_t n = samplesAcross(cube.size, image.width);
     // Directions on the image's equator; a row only makes them shorter, and adds height.
     std::vector<glm::vec3> columns(size_t(image.width) * n);
     for (size_t i = 0; i < columns.size(); ++i) {
@@ -118,12 +106,28 @@ void latLongFromCube(const CubeMap& cube, const glm::mat3& cubeFromImage, LatLon
     });
 }
 
+}  // namespace
+
+CubeMap cubeMapOf(const std::array<const Texture*, 6>& faces) {
+    CubeMap cube;
+    cube.size = faces[0]->levels[0].width;
+    const size_t count = size_t(cube.size) * cube.size;
+    cube.texels.resize(6 * count);
+    tbb::parallel_for(size_t(0), size_t(6),
+                      [&](size_t i) { decodeFace(*faces[i], &cube.texels[i * count]); });
+    return cube;
+}
+
+void latLongFromCube(const CubeMap& cube, const glm::mat3& cubeFromImage, LatLongImage& image) {
+    resample(cube, cubeFromImage, 1, image);
+}
+
 LatLongImage latLongFromCube(const CubeMap& cube, const glm::mat3& cubeFromImage) {
     LatLongImage image;
     image.width = std::clamp(4 * cube.size, leastLatLongWidth, mostLatLongWidth);
     image.height = image.width / 2;
     image.pixels.resize(size_t(image.width) * image.height);
-    latLongFromCube(cube, cubeFromImage, image);
+    resample(cube, cubeFromImage, samplesAcross(cube.size, image.width), image);
     return image;
 }
 

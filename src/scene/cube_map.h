@@ -35,7 +35,8 @@ constexpr uint32_t leastLatLongWidth = 64, mostLatLongWidth = 8192;
 // mean over its area; faces are read bilinearly, across their edges too.
 LatLongImage latLongFromCube(const CubeMap& cube, const glm::mat3& cubeFromImage);
 
-// The same in `image`, whose size and pixels are there.
+// The same in `image`, whose size and pixels are there, with one look at the cube a pixel: for
+// cubes that are made anew each frame. What is a texel or two wide may lose some of its light.
 void latLongFromCube(const CubeMap& cube, const glm::mat3& cubeFromImage, LatLongImage& image);
 
 }  // namespace gp

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include <tbb/parallel_for.h>
+
 #include "scene/light_tree.h"
 #include "shading/shading.h"
 
@@ -63,88 +65,121 @@ float power(glm::vec3 radiance, float area, bool twoSided) {
     return shading::luminance(radiance) * pi * area * (twoSided ? 2.0f : 1.0f);
 }
 
+// Above this all lights together would be infinite, and their shares no numbers.
+constexpr float mostPower = 1e30f;
+
+LightCluster clusterOf(glm::vec3 lo, glm::vec3 hi, const LightCone& normals, float cosThetaE,
+                       float phi, bool twoSided) {
+    LightCluster c;
+    c.lo = lo, c.hi = hi, c.normals = normals, c.cosThetaE = cosThetaE;
+    c.thetaE = std::acos(cosThetaE), c.phi = std::min(phi, mostPower);
+    c.twoSided = twoSided, c.count = 1;
+    return c;
+}
+
+LightCluster clusterOfTriangle(const LightRecord& r, float phi) {
+    const glm::vec3 a = r.position, b = a + r.edge_u, c = a + r.edge_v;
+    return clusterOf(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)),
+                     {r.direction, 0, 1}, 0, phi, r.two_sided != 0);
+}
+
 class TableBuilder {
 public:
-    explicit TableBuilder(const Scene& scene) : scene_(scene) {}
+    TableBuilder(const Scene& scene, LightTable& table) : scene_(scene), table_(table) {}
 
-    LightTable run() {
-        for (const auto& light : scene_.lights)
-            if (light->kind == LightKind::directional) addDirectional(*light);
-        table_.directionalCount = uint32_t(table_.lights.size());
-        for (const auto& light : scene_.lights)
-            if (light->kind != LightKind::directional) addLocal(*light);
+    void run() {
+        placeLights();
+        tbb::parallel_for(size_t(0), scene_.lights.size(), [&](size_t i) { addLight(i); });
         table_.lightMap.assign(scene_.instances.size(), NO_INDEX);
+        table_.lightOfTriangle.clear();
+        table_.emissiveTriangles = 0;
         for (size_t i = 0; i < scene_.instances.size(); ++i) addTriangles(uint32_t(i));
-        table_.tree = makeLightTree(std::move(bounds_), table_.lights);
-        return std::move(table_);
+        makeLightTree(table_.clusters, table_.lights, table_.tree);
     }
 
 private:
-    void addDirectional(const Light& light) {
-        if (!(shading::luminance(light.emission) > 0)) return;
-        LightRecord r{};
-        r.kind = LIGHT_DIRECTIONAL, r.direction = glm::normalize(light.direction);
-        r.radius = light.angularRadius, r.emission = light.emission;
-        table_.lights.push_back(r);
-        table_.sources.push_back(&light);
+    // How many records a light has: a polygon one for each triangle, since the tree knows best
+    // which part of a large polygon is near.
+    static uint32_t recordsOf(const Light& light) {
+        if (!(shading::luminance(light.emission) > 0)) return 0;
+        return light.kind == LightKind::polygon ? uint32_t(light.corners.size()) - 2 : 1;
     }
 
-    // Each triangle is a light of its own: the tree knows best which part of a large polygon is
-    // near.
-    void addPolygon(const Light& light) {
+    // Gives each light the place of its first record, directional ones first, so that threads can
+    // fill them.
+    void placeLights() {
+        const auto& lights = scene_.lights;
+        places_.resize(lights.size());
+        std::vector<uint32_t> counts(lights.size());
+        std::vector<char> directional(lights.size());
+        tbb::parallel_for(size_t(0), lights.size(), [&](size_t i) {
+            counts[i] = recordsOf(*lights[i]);
+            directional[i] = lights[i]->kind == LightKind::directional;
+        });
+        uint32_t next = 0;
+        for (const bool wanted : {true, false}) {
+            for (size_t i = 0; i < lights.size(); ++i)
+                if (bool(directional[i]) == wanted) places_[i] = next, next += counts[i];
+            if (wanted) table_.directionalCount = next;
+        }
+        table_.lights.resize(next), table_.sources.resize(next);
+        table_.clusters.resize(next - table_.directionalCount);
+    }
+
+    void addLight(size_t index) {
+        const Light& light = *scene_.lights[index];
+        const uint32_t count = recordsOf(light);
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t place = places_[index] + i;
+            LightRecord& r = table_.lights[place];
+            r = {};
+            r.emission = light.emission, r.two_sided = light.twoSided;
+            table_.sources[place] = uint32_t(index);
+            if (light.kind == LightKind::directional) {
+                r.kind = LIGHT_DIRECTIONAL, r.direction = glm::normalize(light.direction);
+                r.radius = light.angularRadius;
+                continue;
+            }
+            LightCluster& c = table_.clusters[place - table_.directionalCount];
+            if (light.kind == LightKind::polygon) c = fillPolygon(r, light, i);
+            else if (light.kind == LightKind::rectangle) c = fillRectangle(r, light);
+            else c = fillSphere(r, light);
+            c.child = place | LIGHT_TREE_LEAF;
+        }
+    }
+
+    static LightCluster fillPolygon(LightRecord& r, const Light& light, uint32_t part) {
         const std::vector<glm::vec3>& p = light.corners;
-        for (size_t i = 1; i + 1 < p.size(); ++i) {
-            LightRecord r{};
-            r.kind = LIGHT_TRIANGLE, r.two_sided = light.twoSided, r.emission = light.emission;
-            r.position = p[0], r.edge_u = p[i] - p[0], r.edge_v = p[i + 1] - p[0];
-            r.instance = NO_INDEX, r.primitive = uint32_t(i) - 1;
-            const glm::vec3 n = glm::cross(r.edge_u, r.edge_v);
-            const float length = glm::length(n);
-            r.direction = length > 0 ? n / length : light.direction, r.area = 0.5f * length;
-            LightBounds b;
-            b.lo = glm::min(p[0], glm::min(p[i], p[i + 1]));
-            b.hi = glm::max(p[0], glm::max(p[i], p[i + 1]));
-            b.axis = r.direction, b.twoSided = light.twoSided;
-            b.phi = power(light.emission, r.area, light.twoSided);
-            push(r, b);
-            table_.sources.push_back(&light);
-        }
+        r.kind = LIGHT_TRIANGLE, r.instance = NO_INDEX, r.primitive = part;
+        r.position = p[0], r.edge_u = p[part + 1] - p[0], r.edge_v = p[part + 2] - p[0];
+        const glm::vec3 n = glm::cross(r.edge_u, r.edge_v);
+        const float length = glm::length(n);
+        r.direction = length > 0 ? n / length : light.direction, r.area = 0.5f * length;
+        return clusterOfTriangle(r, power(light.emission, r.area, light.twoSided));
     }
 
-    void addLocal(const Light& light) {
-        LightRecord r{};
-        LightBounds b;
-        const float l = shading::luminance(light.emission);
-        if (!(l > 0)) return;
-        if (light.kind == LightKind::polygon) return addPolygon(light);
-        r.position = light.position, r.emission = light.emission, r.radius = light.radius;
-        if (light.kind == LightKind::rectangle) {
-            const glm::vec3 n = glm::cross(light.edgeU, light.edgeV);
-            r.kind = LIGHT_RECTANGLE, r.edge_u = light.edgeU, r.edge_v = light.edgeV;
-            r.area = glm::length(n), r.two_sided = light.twoSided;
-            r.direction = n / r.area;
-            for (int i = 0; i < 4; ++i) {
-                const glm::vec3 p = r.position + float(i & 1) * r.edge_u + float(i >> 1) * r.edge_v;
-                b.lo = i ? glm::min(b.lo, p) : p, b.hi = i ? glm::max(b.hi, p) : p;
-            }
-            b.axis = r.direction, b.twoSided = light.twoSided;
-            b.phi = power(light.emission, r.area, light.twoSided);
-        } else {
-            r.kind = light.kind == LightKind::spot ? LIGHT_SPOT : LIGHT_SPHERE;
-            // A sphere shines with the radiance that its disk needs for the intensity.
-            if (light.radius > 0) r.emission /= pi * light.radius * light.radius;
-            r.direction = glm::normalize(light.direction);
-            r.cos_inner = light.cosInner, r.cos_outer = light.cosOuter;
-            b.lo = r.position - r.radius, b.hi = r.position + r.radius;
-            b.phi = 4 * pi * l;
-            if (light.kind == LightKind::spot) {
-                b.axis = r.direction, b.cosThetaO = 1, b.cosThetaE = light.cosOuter;
-            } else {
-                b.cosThetaO = -1;
-            }
-        }
-        push(r, b);
-        table_.sources.push_back(&light);
+    static LightCluster fillRectangle(LightRecord& r, const Light& light) {
+        const glm::vec3 n = glm::cross(light.edgeU, light.edgeV), p = light.position;
+        r.kind = LIGHT_RECTANGLE, r.edge_u = light.edgeU, r.edge_v = light.edgeV, r.position = p;
+        r.area = glm::length(n), r.direction = n / r.area;
+        const glm::vec3 q = p + r.edge_u, s = p + r.edge_v, t = q + r.edge_v;
+        return clusterOf(glm::min(glm::min(p, q), glm::min(s, t)),
+                         glm::max(glm::max(p, q), glm::max(s, t)), {r.direction, 0, 1}, 0,
+                         power(light.emission, r.area, light.twoSided), light.twoSided);
+    }
+
+    static LightCluster fillSphere(LightRecord& r, const Light& light) {
+        const bool spot = light.kind == LightKind::spot;
+        r.kind = spot ? LIGHT_SPOT : LIGHT_SPHERE, r.two_sided = 0;
+        r.position = light.position, r.radius = light.radius;
+        // A sphere shines with the radiance that its disk needs for the intensity.
+        if (light.radius > 0) r.emission /= pi * light.radius * light.radius;
+        r.direction = glm::normalize(light.direction);
+        r.cos_inner = light.cosInner, r.cos_outer = light.cosOuter;
+        return clusterOf(r.position - r.radius, r.position + r.radius,
+                         spot ? LightCone{r.direction, 0, 1} : LightCone{r.direction, pi, -1},
+                         spot ? light.cosOuter : 0, 4 * pi * shading::luminance(light.emission),
+                         false);
     }
 
     void addTriangles(uint32_t instanceIndex) {
@@ -196,30 +231,29 @@ private:
         const float length = glm::length(n);
         r.area = 0.5f * length, r.emission = instance.surface().emission;
         r.instance = instanceIndex, r.primitive = primitive;
-        LightBounds b;
-        b.phi = power(radiance, r.area, twoSided);
-        if (!(b.phi > 0) || !std::isfinite(b.phi)) return false;
+        const float phi = power(radiance, r.area, twoSided);
+        if (!(phi > 0) || !std::isfinite(phi)) return false;
         r.direction = n / length;
-        b.lo = glm::min(p[0], glm::min(p[1], p[2])), b.hi = glm::max(p[0], glm::max(p[1], p[2]));
-        b.axis = r.direction, b.twoSided = twoSided;
-        push(r, b);
+        table_.clusters.push_back(clusterOfTriangle(r, phi));
+        table_.clusters.back().child = uint32_t(table_.lights.size()) | LIGHT_TREE_LEAF;
+        table_.lights.push_back(r);
         ++table_.emissiveTriangles;
         return true;
     }
 
-    void push(const LightRecord& record, LightBounds bounds) {
-        bounds.light = uint32_t(table_.lights.size());
-        bounds_.push_back(bounds);
-        table_.lights.push_back(record);
-    }
-
     const Scene& scene_;
-    LightTable table_;
-    std::vector<LightBounds> bounds_;
+    LightTable& table_;
+    std::vector<uint32_t> places_;  // of each light's first record
 };
 
 }  // namespace
 
-LightTable makeLightTable(const Scene& scene) { return TableBuilder(scene).run(); }
+void fillLightTable(const Scene& scene, LightTable& table) { TableBuilder(scene, table).run(); }
+
+LightTable makeLightTable(const Scene& scene) {
+    LightTable table;
+    fillLightTable(scene, table);
+    return table;
+}
 
 }  // namespace gp

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
 
-#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_for.h>
+
+#include "scene/light_runs.h"
 
 namespace gp {
 namespace {
@@ -14,193 +13,166 @@ namespace {
 using shared::LightTreeNode;
 
 constexpr int binCount = 12;
-constexpr uint32_t maxDepth = 31;  // LightRecord::trail has 32 bits
+constexpr size_t width = LIGHT_TREE_WIDTH;
+// Clusters that cuts are weighed over. More hardly make the tree better, but slower to make.
+constexpr size_t weighedClusters = 4096;
+// Cuts may peel off one cluster at a time; below this many levels the median cuts.
+constexpr uint32_t weighedDepth = 12;
 
-// A cone of directions around an axis.
-struct Cone {
-    glm::vec3 axis{0, 0, 1};
-    float theta = -1;  // radians; negative: empty
+// A range of clusters that becomes a child, with what bounds it.
+struct Part {
+    size_t begin = 0, end = 0;
+    LightCluster bounds;
+    float cost = 0;
+    size_t size() const { return end - begin; }
 };
 
-// The smallest cone, with its axis in the plane of both, that holds a and b.
-// [Conty Estevez and Kulla 2018, algorithm 1]
-Cone unite(Cone a, Cone b) {
-    if (a.theta < 0) return b;
-    if (b.theta < 0) return a;
-    if (b.theta > a.theta) std::swap(a, b);
-    if (a.theta >= 3.14159265f) return a;  // all around, as spheres shine
-    const float between = std::acos(std::clamp(glm::dot(a.axis, b.axis), -1.0f, 1.0f));
-    constexpr float pi = 3.14159265f;
-    if (std::min(between + b.theta, pi) <= a.theta) return a;
-    const float theta = 0.5f * (a.theta + between + b.theta);
-    if (theta >= pi) return {a.axis, pi};
-    const float turn = theta - a.theta;
-    const glm::vec3 pivot = glm::cross(a.axis, b.axis);
-    const float length = glm::length(pivot);
-    if (!(length > 1e-6f)) return {a.axis, pi};  // opposite axes: no plane to turn in
-    const glm::vec3 k = pivot / length;
-    // Rodrigues' rotation; k is perpendicular to the axis.
-    return {glm::normalize(a.axis * std::cos(turn) + glm::cross(k, a.axis) * std::sin(turn)),
-            theta};
-}
-
-// Bounds of several lights.
-struct Cluster {
-    glm::vec3 lo{std::numeric_limits<float>::max()}, hi{-std::numeric_limits<float>::max()};
-    Cone cone;
-    float thetaE = 0;
-    float phi = 0;
-    bool twoSided = false;
-    int count = 0;
-
-    void add(const LightBounds& b) {
-        lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi);
-        cone = unite(cone, {b.axis, b.thetaO});
-        thetaE = std::max(thetaE, b.thetaE);
-        phi += b.phi, twoSided |= b.twoSided, ++count;
-    }
-    void add(const Cluster& c) {
-        if (c.count == 0) return;
-        lo = glm::min(lo, c.lo), hi = glm::max(hi, c.hi);
-        cone = unite(cone, c.cone);
-        thetaE = std::max(thetaE, c.thetaE);
-        phi += c.phi, twoSided |= c.twoSided, count += c.count;
-    }
-
-    // The surface area orientation heuristic's measure of a cluster.
-    // [Conty Estevez and Kulla 2018, equation 1]
-    float cost(float regularisation) const {
-        const float o = cone.theta;
-        const float w = std::min(o + thetaE, 3.14159265f);
-        const float orientation = 6.2831853f * (1 - std::cos(o)) +
-                                  1.5707963f * (2 * w * std::sin(o) - std::cos(o - 2 * w) -
-                                                2 * o * std::sin(o) + std::cos(o));
-        const glm::vec3 d = hi - lo;
-        const float area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
-        return phi * orientation * regularisation * area;
-    }
+// The best cut so far.
+struct Cut {
+    float cost = std::numeric_limits<float>::max();
+    int axis = -1, edge = 0;
+    LightCluster below, above;
 };
 
 class Builder {
 public:
-    Builder(std::vector<LightBounds>& bounds, std::vector<shared::LightRecord>& lights)
-        : bounds_(bounds), lights_(lights) {}
+    Builder(std::vector<LightCluster>& clusters, LightTreeWriter& writer)
+        : clusters_(clusters), writer_(writer) {}
 
-    std::vector<LightTreeNode> run() {
-        if (bounds_.empty()) return {};
-        for (LightBounds& b : bounds_) {
-            b.thetaO = std::acos(std::clamp(b.cosThetaO, -1.0f, 1.0f));
-            b.thetaE = std::acos(std::clamp(b.cosThetaE, -1.0f, 1.0f));
-        }
-        nodes_.resize(2 * bounds_.size() - 1);
-        build(0, bounds_.size(), 0, 0, 0);
-        return std::move(nodes_);
+    // Every node below another has its number before its children are made.
+    LightCluster build(size_t begin, size_t end, uint32_t node, uint32_t depth) {
+        std::array<Part, width> parts;
+        const size_t count = divide(begin, end, depth, parts);
+        std::array<LightCluster, width> children;
+        const auto make = [&](size_t i) {
+            const Part& part = parts[i];
+            children[i] = part.size() == 1
+                ? clusters_[part.begin]
+                : build(part.begin, part.end, writer_.newNode(), depth + 1);
+        };
+        constexpr size_t enough = 512;  // clusters, for a task to be worth its cost
+        if (end - begin > enough) tbb::parallel_for(size_t(0), count, make);
+        else for (size_t i = 0; i < count; ++i) make(i);
+        return writer_.fill(node, {children.data(), count});
     }
 
 private:
-    // A tree over n lights has 2 n - 1 nodes: both halves know where theirs begin, and can be made
-    // at the same time. Which comes first changes nothing.
-    void build(size_t begin, size_t end, size_t index, uint32_t depth, uint32_t trail) {
-        LightTreeNode& node = nodes_[index];
-        node = nodeOf(begin, end);
-        if (end - begin == 1) {
-            node.is_leaf = 1;
-            node.child_or_light = bounds_[begin].light;
-            lights_[bounds_[begin].light].trail = trail;
-            return;
+    // Cuts the part that costs most until there are as many as a node has children.
+    size_t divide(size_t begin, size_t end, uint32_t depth, std::array<Part, width>& parts) {
+        parts[0].begin = begin, parts[0].end = end, parts[0].cost = 0;
+        size_t count = 1;
+        while (count < width) {
+            Part* worst = nullptr;
+            for (size_t i = 0; i < count; ++i)
+                if (parts[i].size() > 1 && (!worst || parts[i].cost > worst->cost))
+                    worst = &parts[i];
+            if (!worst) break;
+            split(*worst, parts[count++], depth);
         }
-        const size_t middle = split(begin, end, depth);
-        const size_t second = index + 2 * (middle - begin);
-        node.child_or_light = uint32_t(second);
-        const auto buildFirst = [&] { build(begin, middle, index + 1, depth + 1, trail); };
-        const auto buildSecond = [&] {
-            build(middle, end, second, depth + 1, trail | (1u << depth));
-        };
-        constexpr size_t enough = 512;  // lights, for a task to be worth its cost
-        if (end - begin > enough) tbb::parallel_invoke(buildFirst, buildSecond);
-        else buildFirst(), buildSecond();
+        return count;
     }
 
-    LightTreeNode nodeOf(size_t begin, size_t end) const {
-        Cluster all;
-        for (size_t i = begin; i < end; ++i) all.add(bounds_[i]);
-        LightTreeNode n{};
-        n.lo = all.lo, n.hi = all.hi, n.phi = all.phi, n.w = all.cone.axis;
-        n.cos_theta_o = std::cos(all.cone.theta), n.cos_theta_e = std::cos(all.thetaE);
-        n.two_sided = all.twoSided;
-        return n;
-    }
-
-    static glm::vec3 centre(const LightBounds& b) { return 0.5f * (b.lo + b.hi); }
-
-    // Reorders [begin, end) and returns where the second child begins.
-    size_t split(size_t begin, size_t end, uint32_t depth) {
+    // Reorders the clusters of `part`; the second half of them goes to `rest`.
+    void split(Part& part, Part& rest, uint32_t depth) {
         glm::vec3 lo{std::numeric_limits<float>::max()}, hi = -lo;
-        for (size_t i = begin; i < end; ++i)
-            lo = glm::min(lo, centre(bounds_[i])), hi = glm::max(hi, centre(bounds_[i]));
+        for (size_t i = part.begin; i < part.end; ++i)
+            lo = glm::min(lo, clusters_[i].centre()), hi = glm::max(hi, clusters_[i].centre());
         const glm::vec3 extent = hi - lo;
-        float bestCost = std::numeric_limits<float>::max(), bestEdge = 0;
-        int bestAxis = -1;
-        // Once only halving keeps the depth within the trail's bits, the median splits.
-        if (depth + uint32_t(std::bit_width(end - begin)) < maxDepth)
+        Cut best;
+        if (depth < weighedDepth && part.size() > 2)
             for (int axis = 0; axis < 3; ++axis)
-                trySplits(begin, end, axis, lo[axis], extent, bestCost, bestEdge, bestAxis);
-        const auto first = bounds_.begin() + ptrdiff_t(begin),
-                   last = bounds_.begin() + ptrdiff_t(end);
-        if (bestAxis >= 0) {
-            const auto middle = std::partition(first, last, [&](const LightBounds& b) {
-                return binOf(b, bestAxis, lo[bestAxis], extent[bestAxis]) < int(bestEdge);
+                if (extent[axis] > 0) tryCuts(part, axis, lo[axis], extent, best);
+        const auto first = clusters_.begin() + ptrdiff_t(part.begin),
+                   last = clusters_.begin() + ptrdiff_t(part.end);
+        rest.end = part.end;
+        if (best.axis >= 0) {
+            const auto middle = std::partition(first, last, [&](const LightCluster& c) {
+                return binOf(c, best.axis, lo[best.axis], extent[best.axis]) < best.edge;
             });
-            if (middle != first && middle != last) return size_t(middle - bounds_.begin());
+            rest.begin = part.end = size_t(middle - clusters_.begin());
+            part.bounds = best.below, rest.bounds = best.above;
+        } else {
+            halve(part, rest, extent);
         }
+        part.cost = part.bounds.cost(1), rest.cost = rest.bounds.cost(1);
+    }
+
+    void halve(Part& part, Part& rest, glm::vec3 extent) {
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
                          : extent.y >= extent.z                       ? 1
                                                                       : 2;
-        const auto middle = first + (last - first) / 2;
-        std::nth_element(first, middle, last, [&](const LightBounds& a, const LightBounds& b) {
-            return centre(a)[axis] < centre(b)[axis];
-        });
-        return size_t(middle - bounds_.begin());
+        const auto first = clusters_.begin() + ptrdiff_t(part.begin),
+                   last = clusters_.begin() + ptrdiff_t(part.end);
+        std::nth_element(first, first + (last - first) / 2, last,
+                         [&](const LightCluster& a, const LightCluster& b) {
+                             return a.centre()[axis] < b.centre()[axis];
+                         });
+        rest.begin = part.end = part.begin + part.size() / 2;
+        part.bounds = rest.bounds = {};
+        for (size_t i = part.begin; i < part.end; ++i) part.bounds.add(clusters_[i]);
+        for (size_t i = rest.begin; i < rest.end; ++i) rest.bounds.add(clusters_[i]);
     }
 
-    static int binOf(const LightBounds& b, int axis, float lo, float extent) {
-        return std::clamp(int(float(binCount) * (centre(b)[axis] - lo) / extent), 0, binCount - 1);
+    static int binOf(const LightCluster& c, int axis, float lo, float extent) {
+        const float place = (c.centre()[axis] - lo) / extent;
+        return std::clamp(int(float(binCount) * place), 0, binCount - 1);
     }
 
-    void trySplits(size_t begin, size_t end, int axis, float lo, glm::vec3 extent, float& bestCost,
-                   float& bestEdge, int& bestAxis) const {
-        if (!(extent[axis] > 0)) return;
-        std::array<Cluster, binCount> bins;
-        for (size_t i = begin; i < end; ++i)
-            bins[size_t(binOf(bounds_[i], axis, lo, extent[axis]))].add(bounds_[i]);
+    void tryCuts(const Part& part, int axis, float lo, glm::vec3 extent, Cut& best) const {
+        std::array<LightCluster, binCount> bins, above;
+        for (size_t i = part.begin; i < part.end; ++i)
+            bins[size_t(binOf(clusters_[i], axis, lo, extent[axis]))].add(clusters_[i]);
         // Long thin clusters are split across their length.
         const float longest = std::max({extent.x, extent.y, extent.z});
         const float regularisation = longest / extent[axis];
-        std::array<Cluster, binCount> above;
-        for (int i = binCount - 2; i >= 0; --i) {
-            above[size_t(i)] = above[size_t(i) + 1];
-            above[size_t(i)].add(bins[size_t(i) + 1]);
+        for (size_t i = binCount - 1; i-- > 0;) {
+            above[i] = above[i + 1];
+            if (bins[i + 1].count != 0) above[i].add(bins[i + 1]);
         }
-        Cluster below;
+        LightCluster below;
         for (int edge = 1; edge < binCount; ++edge) {
-            below.add(bins[size_t(edge) - 1]);
-            const Cluster& rest = above[size_t(edge) - 1];
-            if (below.count == 0 || rest.count == 0) continue;
+            const LightCluster& bin = bins[size_t(edge) - 1];
+            const LightCluster& rest = above[size_t(edge) - 1];
+            if (bin.count == 0) continue;  // the cut before is the same
+            below.add(bin);
+            if (rest.count == 0) break;
             const float cost = below.cost(regularisation) + rest.cost(regularisation);
-            if (cost < bestCost) bestCost = cost, bestEdge = float(edge), bestAxis = axis;
+            if (cost < best.cost) best = {cost, axis, edge, below, rest};
         }
     }
 
-    std::vector<LightBounds>& bounds_;
-    std::vector<shared::LightRecord>& lights_;
-    std::vector<LightTreeNode> nodes_;
+    std::vector<LightCluster>& clusters_;
+    LightTreeWriter& writer_;
 };
+
+void makeTree(std::vector<LightCluster>& lights, std::vector<shared::LightRecord>& records,
+              LargeVector<LightTreeNode>& nodes, bool quick) {
+    nodes.resize(0);
+    if (lights.empty()) return;
+    // Every node has two children or more, but the root of a single light.
+    nodes.resize(std::max<size_t>(1, lights.size() - 1));
+    LightTreeWriter writer(nodes, records);
+    const uint32_t root = writer.newNode();
+    if (quick) {
+        std::vector<LightCluster> runs = makeLightRuns(lights, weighedClusters / 2, writer);
+        Builder(runs, writer).build(0, runs.size(), root, 0);
+    } else {
+        Builder(lights, writer).build(0, lights.size(), root, 0);
+    }
+    nodes.resize(writer.count());
+}
 
 }  // namespace
 
-std::vector<LightTreeNode> makeLightTree(std::vector<LightBounds> bounds,
-                                         std::vector<shared::LightRecord>& lights) {
-    return Builder(bounds, lights).run();
+void makeLightTree(std::vector<LightCluster>& lights, std::vector<shared::LightRecord>& records,
+                   LargeVector<LightTreeNode>& nodes) {
+    makeTree(lights, records, nodes, lights.size() > weighedClusters);
+}
+
+void makeWeighedLightTree(std::vector<LightCluster>& lights,
+                          std::vector<shared::LightRecord>& records,
+                          LargeVector<LightTreeNode>& nodes) {
+    makeTree(lights, records, nodes, false);
 }
 
 }  // namespace gp

@@ -185,21 +185,29 @@ struct LightRecord {
     float cos_outer;
     uint instance;   // triangle
     uint primitive;
-    uint trail;      // path through the light tree: bit i = right turn at depth i
+    uint leaf;       // in the light tree: its place in its node, as LightTreeNode::parent
 };
 
-// A node of the light tree: bounds of position, power and direction (shading/light/tree.glsl).
+// A node of the light tree: what bounds each of its children in position, power and direction
+// (shading/light/tree.glsl), number by number, so that all are weighed at once.
+#define LIGHT_TREE_WIDTH 8
+#define LIGHT_TREE_LEAF 0x80000000u       // LightTreeNode::child: a light, not a node
+#define LIGHT_TREE_TWO_SIDED 0x40000000u
+#define LIGHT_TREE_INDEX 0x3FFFFFFFu
 struct LightTreeNode {
-    vec3 lo;
-    float phi;
-    vec3 hi;
-    float cos_theta_o;
-    vec3 w;
-    float cos_theta_e;
-    uint two_sided;
-    uint is_leaf;
-    uint child_or_light;  // inner: index of the second child (the first follows); leaf: the light
-    uint pad0;
+    float centre_x[LIGHT_TREE_WIDTH];
+    float centre_y[LIGHT_TREE_WIDTH];
+    float centre_z[LIGHT_TREE_WIDTH];
+    float radius2[LIGHT_TREE_WIDTH];
+    float phi[LIGHT_TREE_WIDTH];          // 0: there is no such child
+    float axis_x[LIGHT_TREE_WIDTH];
+    float axis_y[LIGHT_TREE_WIDTH];
+    float axis_z[LIGHT_TREE_WIDTH];
+    float cos_theta_o[LIGHT_TREE_WIDTH];
+    float cos_theta_e[LIGHT_TREE_WIDTH];
+    uint child[LIGHT_TREE_WIDTH];         // LIGHT_TREE_ bits and an index
+    uint parent;  // LIGHT_TREE_WIDTH times the node above, and this one's place in it; 0: the root
+    uint pad0[7];
 };
 
 // A cell of the table that environment directions are chosen from: an alias table whose cells lie
@@ -209,6 +217,12 @@ struct EnvironmentCell {
     float keep;
     uint alias;
 };
+
+// Bits of FrameConstants::sky. None: the environment is all that surrounds the scene, else its
+// table only says where light comes from.
+#define SKY_TRACED 1u  // sky geometry lies before it (kernels/sky.glsl)
+#define SKY_DRAWN 2u   // rasterised geometry too: rays see the table, but those of the camera do
+                       // not, into whose picture it is drawn later
 
 // What a frame is, for every kernel: gp::FramePlan and the scene's constants.
 struct FrameConstants {
@@ -234,6 +248,10 @@ struct FrameConstants {
     uint environment_cells;    // along each side of its sampling table; 0: uniform
     uint last_by_lights;       // 1: the last surface of a path has a shadow ray, but no other ray
     float ray_length;          // metres: every ray ends there, and what lies beyond is sky
+    vec3 background_color;     // the scene's environment, where `sky` is not 0
+    uint sky;                  // SKY_ bits
+    vec3 sky_viewer;           // where sky geometry is seen from
+    uint background_image;     // 1: background_color multiplies an image
 };
 
 // Where GP_MODE_LOCAL computes light: GpShadingFrequency.

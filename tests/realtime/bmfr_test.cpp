@@ -189,10 +189,10 @@ TEST(Bmfr, BadNumbersAreNone) {
 
 TEST(Bmfr, ItsImagesAreThereForItAlone) {
     RealtimeImages images;
-    images.resize({64, 48}, {64, 48}, false, false);
+    images.resize({64, 48}, {64, 48});
     const uint64_t without = images.bytes();
     EXPECT_FALSE(images.holds(RealtimeImage::fitted_diffuse));
-    images.resize({64, 48}, {64, 48}, false, true);
+    images.resize({64, 48}, {64, 48}, {false, false, true});
     EXPECT_TRUE(images.holds(RealtimeImage::fitted_diffuse));
     EXPECT_EQ(images.bytes() - without, 64u * 48u * 32u);
 }

@@ -191,8 +191,8 @@ TEST(DenoiseRobustness, SharedMemoryDoesNotShow) {
                       resultsOf(2, 8, cpu::denoise::kernelsX86_64, d, false, size, false));
         }
     RealtimeImages shared, apart(false);
-    shared.resize(ivec2(64, 48), ivec2(64, 48), false, false);
-    apart.resize(ivec2(64, 48), ivec2(64, 48), false, false);
+    shared.resize(ivec2(64, 48), ivec2(64, 48));
+    apart.resize(ivec2(64, 48), ivec2(64, 48));
     EXPECT_LE(double(shared.bytes()), 64 * 48 * 150.0);
     EXPECT_GT(double(apart.bytes()), 64 * 48 * 190.0);
 }
@@ -232,7 +232,7 @@ TEST(DenoiseRobustness, TwinsDoWhatThePlainKernelsDo) {
 // A picture of `output` pixels from `size` samples, over frames that move by any amount.
 std::vector<float> resolvedPicture(bool plain, ivec2 size, ivec2 output) {
     DenoiseScene s(size);
-    s.memory.resize(size, output, false, false);
+    s.memory.resize(size, output, {});
     s.constants.output_size = output, s.constants.resolves = 1;
     s.plain = plain;
     std::vector<float> picture;

@@ -43,7 +43,8 @@ struct Shown {
 TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
     Shown s, fitting;
     GpRealtimeOptions reuse{}, bmfr{};
-    reuse.lightReuse = GP_REUSE_BIASED, bmfr.denoiser = GP_DENOISER_BMFR;
+    reuse.lightReuse = reuse.indirectReuse = GP_REUSE_BIASED;
+    bmfr.denoiser = GP_DENOISER_BMFR;
     for (int i = 0; i < 2; ++i) s.render(reuse), fitting.render(bmfr);
     uint32_t count = 0;
     const char *name, *meaning;
@@ -63,7 +64,8 @@ TEST(RealtimeFrame, LayersThatTheOptionsDoNotMakeAreAnError) {
     plain.denoiser = GP_DENOISER_NONE;
     s.render(plain);
     std::vector<glm::vec4> pixels(width * height);
-    for (const char* name : {"reservoir", "indirect", "fitted_diffuse"}) {
+    for (const char* name :
+         {"reservoir", "indirect_reservoir_hit", "indirect", "fitted_diffuse"}) {
         EXPECT_EQ(gpReadFrameLayer(s.frame, name, &pixels[0].x, pixels.size() * 16),
                   GP_ERROR_INVALID_OPERATION);
         const char* message = "";

@@ -22,6 +22,7 @@ struct Emitter {
 
 struct Group {
     LightNode node;
+    vec3 size;  // half of the box that the emitters are in
     std::vector<Emitter> emitters;
 };
 
@@ -34,9 +35,9 @@ vec3 direction(Random& random) {
 Group makeGroup(Random& random, int count) {
     Group g;
     LightNode& n = g.node;
-    const vec3 size = vec3(random.uniform(), random.uniform(), random.uniform()) * 2.0f;
-    n.lo = -size;
-    n.hi = size;
+    g.size = vec3(random.uniform(), random.uniform(), random.uniform()) * 2.0f;
+    n.centre = vec3(0.0f);
+    n.radius2 = dot(g.size, g.size);
     n.phi = float(count);
     n.w = direction(random);
     n.cos_theta_o = random.uniform() < 0.2f ? -1.0f : 2.0f * random.uniform() - 1.0f;
@@ -45,7 +46,8 @@ Group makeGroup(Random& random, int count) {
     const Frame frame = frame_from_normal(n.w);
     for (int i = 0; i < count; ++i) {
         Emitter e;
-        e.position = mix(n.lo, n.hi, vec3(random.uniform(), random.uniform(), random.uniform()));
+        const vec3 place = vec3(random.uniform(), random.uniform(), random.uniform());
+        e.position = g.size * (2.0f * place - 1.0f);
         const float x = random.uniform();
         const vec3 local =
             square_to_uniform_cone(vec2(x, random.uniform()), 1.0f - n.cos_theta_o);
@@ -103,8 +105,7 @@ TEST(LightTree, BoundsTheLightOfAGroup) {
     Random random(2);
     for (int i = 0; i < 20000; ++i) {
         const Group g = makeGroup(random, 8);
-        const vec3 halfDiagonal = g.node.hi;
-        const float radius = length(halfDiagonal);
+        const float radius = length(g.size);
         const float d = radius * (2.0f + 8.0f * random.uniform());
         const vec3 p = direction(random) * d;
         const vec3 ng = direction(random);
@@ -127,7 +128,8 @@ TEST(LightTree, LeafEqualsItsLight) {
     for (int i = 0; i < 20000; ++i) {
         Group g = makeGroup(random, 1);
         const Emitter& e = g.emitters.front();
-        g.node.lo = g.node.hi = e.position;
+        g.node.centre = e.position;
+        g.node.radius2 = 0.0f;
         g.node.w = e.normal;
         g.node.cos_theta_o = 1.0f;
         const vec3 p = direction(random) * 4.0f;
@@ -143,7 +145,8 @@ TEST(LightTree, LeafEqualsItsLight) {
 
 TEST(LightTree, SurvivesDegenerateNodes) {
     LightNode n;
-    n.lo = n.hi = vec3(1.0f);
+    n.centre = vec3(1.0f);
+    n.radius2 = 0.0f;
     n.phi = 3.0f;
     n.w = vec3(0.0f, 0.0f, 1.0f);
     n.cos_theta_o = 1.0f;

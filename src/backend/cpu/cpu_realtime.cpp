@@ -18,7 +18,7 @@ constexpr uint32_t tileSize = 8;
 }  // namespace
 
 RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass) {
-    const SceneView& view = static_cast<const CpuScene&>(job.scene).view();
+    const SceneView view = viewFor(job.scene, job.frame);
     const shared::FrameConstants frame = frameConstants(view, job.frame);
     RealtimeTileJob all{};
     all.tile.scene = &view, all.tile.frame = &frame, all.tile.camera = &job.frame.camera;

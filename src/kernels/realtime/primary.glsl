@@ -170,7 +170,8 @@ void realtime_primary(ivec2 pixel, Ray ray, Hit hit) {
     }
     float coverage = seen.mirrors > 0u ? 1.0f : 0.0f;
     if (path.hit.instance == HIT_NOTHING) {
-        seen.emission += path.throughput * sky_light(path.from, path.ray.direction);
+        seen.emission += path.throughput * sky_light(path.from, path.ray.direction,
+                                                     path.cone.spread, seen.mirrors == 0u);
     } else {
         LET_REF(LightRecord) record = load_light(path.hit.primitive);
         seen.emission += path.throughput * medium_transmittance(path.attenuation, path.hit.t) *

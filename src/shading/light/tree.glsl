@@ -7,14 +7,14 @@
 #define GP_SHADING_LIGHT_TREE_GLSL
 #include "shading/constants.glsl"
 
-// A node bounds its lights' positions by a box, their normals by a cone of half angle theta_o
+// A node bounds its lights' positions by a sphere, their normals by a cone of half angle theta_o
 // around w, and what each emits by theta_e on every side of its normal.
 struct LightNode {
-    vec3 lo;
+    vec3 centre;
+    float radius2;      // squared
     float phi;          // power, W
-    vec3 hi;
-    float cos_theta_o;
     vec3 w;
+    float cos_theta_o;
     float cos_theta_e;
     uint two_sided;     // 1: along -w as well
 };
@@ -25,25 +25,23 @@ float sin_from_cos(float cosine) {
 
 // cos(max(0, a - b)) for angles in [0, pi].
 float cos_of_difference(float cos_a, float cos_b) {
-    if (cos_a >= cos_b) {
-        return 1.0f;
-    }
-    return cos_a * cos_b + sin_from_cos(cos_a) * sin_from_cos(cos_b);
+    return cos_a >= cos_b ? 1.0f
+                          : cos_a * cos_b + sin_from_cos(cos_a) * sin_from_cos(cos_b);
 }
 
 // `ng` is the surface's unit normal, on the viewer's side; zero in a medium. A surface that lets
-// light through (`transmissive`) receives from both sides.
+// light through (`transmissive`) receives from both sides. Without branches: all children of a node
+// are weighed at once, in the lanes of a vector.
 float light_node_importance(IN(LightNode) n, vec3 p, vec3 ng, uint transmissive) {
-    vec3 centre = 0.5f * (n.lo + n.hi);
-    vec3 half_diagonal = 0.5f * (n.hi - n.lo);
-    float radius2 = dot(half_diagonal, half_diagonal);
-    vec3 to_node = centre - p;
+    vec3 to_node = n.centre - p;
     float true_d2 = dot(to_node, to_node);
     // Nearer than its radius, a node's distance says nothing about that of its lights.
-    float d2 = max(max(true_d2, radius2), 1.0e-20f);
+    float d2 = max(max(true_d2, n.radius2), 1.0e-20f);
     // theta_b: how far a light's direction may be from the centre's; inside of the sphere anywhere.
-    float cos_b = true_d2 > radius2 ? sqrt(max(0.0f, 1.0f - radius2 / true_d2)) : -1.0f;
-    vec3 wi = true_d2 > 0.0f ? to_node * inversesqrt(true_d2) : vec3(0.0f, 0.0f, 1.0f);
+    float cos_b = true_d2 > n.radius2 ? sqrt(max(0.0f, 1.0f - n.radius2 / true_d2)) : -1.0f;
+    bool apart = true_d2 > 0.0f;
+    vec3 wi = to_node * inversesqrt(apart ? true_d2 : 1.0f);
+    wi.z = apart ? wi.z : 1.0f;
 
     float cos_w = -dot(n.w, wi);
     cos_w = n.two_sided != 0u ? abs(cos_w) : cos_w;
@@ -51,20 +49,14 @@ float light_node_importance(IN(LightNode) n, vec3 p, vec3 ng, uint transmissive)
     float cos_emission = cos_of_difference(cos_of_difference(cos_w, n.cos_theta_o), cos_b);
     // The margin keeps a light alive that rounding alone would put beyond its edge.
     float margin = 1.0e-3f;
-    if (cos_emission < n.cos_theta_e - margin) {
-        return 0.0f;
-    }
     float importance = n.phi * max(cos_emission, margin) / d2;
-    if (dot(ng, ng) > 0.0f) {
-        float cos_i = dot(wi, ng);
-        cos_i = transmissive != 0u ? abs(cos_i) : cos_i;
-        float cos_incident = cos_of_difference(cos_i, cos_b);
-        if (cos_incident < -margin) {
-            return 0.0f;
-        }
-        importance *= max(cos_incident, margin);
-    }
-    return importance;
+    importance = cos_emission < n.cos_theta_e - margin ? 0.0f : importance;
+    float cos_i = dot(wi, ng);
+    cos_i = transmissive != 0u ? abs(cos_i) : cos_i;
+    float cos_incident = cos_of_difference(cos_i, cos_b);
+    float received = cos_incident < -margin ? 0.0f : max(cos_incident, margin);
+    importance *= dot(ng, ng) > 0.0f ? received : 1.0f;
+    return min(importance, 1.0e30f);  // so that sums of them are numbers
 }
 
 #endif
