@@ -155,7 +155,7 @@ private:
     }
     void render() {
         GpRenderOptions o{};
-        o.realtime.denoiser = GpDenoiser(pick(4));
+        o.realtime.denoiser = GpDenoiser(pick(5));
         o.realtime.lightReuse = GpLightReuse(pick(3));
         o.realtime.indirectReuse = GpLightReuse(pick(3));
         o.realtime.antiAliasing = GpAntiAliasing(pick(3));
