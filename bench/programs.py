@@ -46,7 +46,8 @@ class Programs:
     def __init__(self, build):
         self.tool = os.path.join(build, "bin", "glitterpath")
         self.rays = os.path.join(build, "bin", "gp_bench_rays")
-        for program in (self.tool, self.rays):
+        self.changing = os.path.join(build, "bin", "gp_bench_changing")
+        for program in (self.tool, self.rays, self.changing):
             if not os.path.exists(program):
                 sys.exit(f"bench: {os.path.relpath(program)} is not built")
         self.blender = shutil.which("blender")

@@ -2,13 +2,17 @@
 import json
 import os
 
-from programs import run, say
+from programs import from_spread, run, say
 from scenes import own_scene
 
 # Name, size of the picture, what is turned on beside the defaults (A-SVGF, anti-aliasing).
 CASES = [("corridor", "640x360", []), ("corridor", "320x180", []),
          ("corridor, light reuse", "320x180", ["--light-reuse", "biased"])]
 LARGEST = ("largest", "640x360", [])
+# What changes in every frame: options of gp_bench_changing.
+CHANGES = {"100,000 sphere lights": ["--lights", "100000"],
+           "100,000 pentagon lights": ["--lights", "100000", "--corners", "5"],
+           "a mesh of 100,000 triangles": ["--triangles", "100000"]}
 HERE = os.path.dirname(os.path.abspath(__file__))
 PATH = os.path.join(HERE, "..", "data", "paths", "corridor.json")
 
@@ -28,6 +32,16 @@ def row(raw):
             "rays_per_frame": raw["rays_per_frame"],
             "mrays_per_second": raw["rays_per_frame"] / milliseconds["mean"] * 1e-3,
             "bytes_per_pixel": raw["frame_image_bytes_per_pixel"]}
+
+
+def changing(programs, quick):
+    """Frames of 320 x 180 in which much changes each time: medians in milliseconds."""
+    results = {}
+    for name, options in CHANGES.items():
+        raw = programs.json([programs.changing, *options, "--frames", "4" if quick else "16"])
+        results[name] = {key: from_spread(raw[key], "ms") for key in
+                         ("calls_ms", "build_ms", "render_ms", "frame_core_ms")}
+    return results
 
 
 def realtime(programs, largest, folder, quick):

@@ -194,7 +194,20 @@ def realtime_part(results):
             f"{r['machine']['date']}, load average "
             f"{r['machine']['load_average_at_start'][0]:.2f}.", ""] + table(
         ["scene", "mean", "median", "95 %", "frames/s", "Mrays/s", "bytes a pixel"], rows) + [
-            "Pass by pass, mean milliseconds:", ""] + table(["pass", *r["cases"]], passes)
+            "Pass by pass, mean milliseconds:", ""] + table(
+                ["pass", *r["cases"]], passes) + changing_part(r)
+
+
+def changing_part(r):
+    if not r.get("changing"):
+        return []
+    rows = [[what] + [f"{c[key]['value']:.1f} ({c[key]['least']:.1f}..{c[key]['most']:.1f})"
+                      for key in ("calls_ms", "build_ms", "render_ms")]
+            + [f"{c['frame_core_ms']['value']:.1f}"] for what, c in r["changing"].items()]
+    return ["Frames of 320 x 180 in which much changes each time, milliseconds, median",
+            "(least..most): the calls that change it, making its structures anew, the rest of the",
+            "frame, and what all threads computed for the frame.", ""] + table(
+        ["what changes", "calls", "structures", "rest", "core-ms"], rows)
 
 
 def markdown(results):

@@ -15,7 +15,7 @@ import tempfile
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import report
 from models import models
-from realtime import realtime
+from realtime import changing, realtime
 from cycles import cycles_is_here, cycles_seconds
 from programs import Programs, ProgramFailed, from_spread, machine, measured, say
 from scenes import FLIGHT_HELMET, HEIGHT, PEER_SCENES, WIDTH, own_scene, prepare_peer_scene
@@ -252,7 +252,8 @@ def realtime_frames(programs, args, folder):
     ship = [prepare_peer_scene(programs, d, folder) for d in PEER_SCENES
             if d["name"] == "DutchShipMedium"]
     return {"machine": quiet,
-            "cases": realtime(programs, ship[0] if ship else None, folder, args.quick)}
+            "cases": realtime(programs, ship[0] if ship else None, folder, args.quick),
+            "changing": changing(programs, args.quick)}
 
 
 def with_section_again(args, folder):

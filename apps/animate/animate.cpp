@@ -54,7 +54,7 @@ void addAnimateOptions(CLI::App& app, AnimateSettings& s) {
             });
     addCameraOptions(app, s.render);
     addLightOptions(app, s.render);
-    addWord(app, "--denoiser", "NAME", "asvgf, svgf, atrous or none (default asvgf)",
+    addWord(app, "--denoiser", "NAME", "asvgf, svgf, atrous, bmfr or none (default asvgf)",
             [&s](const std::string& word) {
                 s.render.options.realtime.denoiser = parseDenoiser(word);
             })->group("Real time");

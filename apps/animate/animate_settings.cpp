@@ -98,7 +98,8 @@ GpDenoiser parseDenoiser(const std::string& word) {
     const std::pair<const char*, GpDenoiser> choices[] = {{"asvgf", GP_DENOISER_ASVGF},
                                                           {"svgf", GP_DENOISER_SVGF},
                                                           {"atrous", GP_DENOISER_ATROUS},
-                                                          {"none", GP_DENOISER_NONE}};
+                                                          {"none", GP_DENOISER_NONE},
+                                                          {"bmfr", GP_DENOISER_BMFR}};
     return parseChoice("--denoiser", word, choices);
 }
 

@@ -61,7 +61,7 @@ void addEvaluateOptions(CLI::App& app, EvaluateSettings& s, std::optional<std::u
                 off = static_cast<std::uint32_t>(parseInteger("--lamp-off", word, 1, 1u << 20));
             })->group(group);
     addWord(app, "--denoiser", "A,B,...",
-            "What to evaluate: asvgf, svgf, atrous, none, with commas between them (default asvgf)",
+            "What to evaluate: asvgf, svgf, atrous, bmfr, none, with commas (default asvgf)",
             [&s](const std::string& word) {
                 s.variants.clear();
                 for (const std::string& name : splitAtCommas(word)) {

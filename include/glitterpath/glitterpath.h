@@ -737,7 +737,8 @@ typedef enum GpDenoiser {
                                by their variance [Schied, Peters and Dachsbacher 2018] */
     GP_DENOISER_SVGF = 1,   /* a mean over frames of fixed length [Schied et al. 2017] */
     GP_DENOISER_ATROUS = 2, /* neighbours only, nothing over frames [Dammertz et al. 2010] */
-    GP_DENOISER_NONE = 3
+    GP_DENOISER_NONE = 3,
+    GP_DENOISER_BMFR = 4    /* what features of surfaces explain, by blocks [Koskela et al. 2019] */
 } GpDenoiser;
 
 /* A number of the denoisers, light reuse or anti-aliasing that is not to have its default:

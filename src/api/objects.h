@@ -91,6 +91,8 @@ struct SceneObject final : ChildObject {
     Scene scene;
     std::unique_ptr<BackendScene> backendScene;   // made by the first gpRender
     std::unordered_set<uint64_t> instanceIds, lightIds;
+    // Where in scene.lights those of gpNewLight were last seen: hints, not promises.
+    std::unordered_map<const Light*, size_t> lightPlaces;
     std::unordered_map<const Mesh*, uint32_t> dynamicUses;  // instances a dynamic mesh has here
     std::set<std::string> cameraNames;            // keeps the pointers given out where they are
     std::vector<PlayingFile> playing;

@@ -17,7 +17,8 @@ namespace {
 
 static_assert(GP_DENOISER_SVGF == int(Denoiser::svgf) &&
               GP_DENOISER_ATROUS == int(Denoiser::atrous) &&
-              GP_DENOISER_NONE == int(Denoiser::none));
+              GP_DENOISER_NONE == int(Denoiser::none) &&
+              GP_DENOISER_BMFR == int(Denoiser::bmfr));
 static_assert(GP_REUSE_UNBIASED == int(LightReuse::unbiased) &&
               GP_AA_JITTER == int(AntiAliasing::jitter));
 

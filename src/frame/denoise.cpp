@@ -56,12 +56,22 @@ constexpr DenoisePass atrous[] = {
     {"indirect upsample", indirect_upsample, 0},
 };
 
+constexpr DenoisePass bmfr[] = {
+    // One channel of all diffuse light.
+    {"gather", bmfr_gather, 0},
+    {"temporal", temporal_filter, fixedHistory},
+    // What features of the surfaces explain of it, block by block.
+    {"fit", bmfr_fit, 0},
+    // The mean over frames hides the borders of blocks.
+    {"accumulate", bmfr_accumulate, 0},
+};
+
 struct Entry {
     const char* name;
     std::span<const DenoisePass> passes;
 };
 const Entry entries[denoiserCount] = {
-    {"asvgf", asvgf}, {"svgf", svgf}, {"atrous", atrous}, {"none", {}}};
+    {"asvgf", asvgf}, {"svgf", svgf}, {"atrous", atrous}, {"none", {}}, {"bmfr", bmfr}};
 
 constexpr RealtimeSize sizes[] = {
 #define X(name, size) RealtimeSize::size,
@@ -78,6 +88,10 @@ std::span<const DenoisePass> denoisePasses(Denoiser denoiser) {
 RealtimeSize denoiseSize(DenoiseKernel kernel) { return sizes[size_t(kernel)]; }
 
 bool usesGradients(Denoiser denoiser) { return denoiser == Denoiser::asvgf; }
+
+bool filtersIndirect(Denoiser denoiser) {
+    return denoiser != Denoiser::none && denoiser != Denoiser::bmfr;
+}
 
 const char* denoiserName(Denoiser denoiser) { return entries[size_t(denoiser)].name; }
 

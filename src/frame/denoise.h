@@ -11,8 +11,8 @@
 
 namespace gp {
 
-enum class Denoiser : uint8_t { asvgf, svgf, atrous, none };
-constexpr size_t denoiserCount = 4;
+enum class Denoiser : uint8_t { asvgf, svgf, atrous, none, bmfr };
+constexpr size_t denoiserCount = 5;
 
 // The kernels; each takes a pixel (or block) of an image of `size` and one parameter.
 #define GP_DENOISE_KERNELS(X)    \
@@ -23,6 +23,9 @@ constexpr size_t denoiserCount = 4;
     X(indirect_temporal, THIRD)  \
     X(indirect_filter, THIRD)    \
     X(indirect_upsample, FULL)   \
+    X(bmfr_gather, FULL)         \
+    X(bmfr_fit, BLOCK)           \
+    X(bmfr_accumulate, FULL)   \
     X(realtime_composite, FULL)  \
     X(realtime_resolve, OUTPUT)
 
@@ -55,7 +58,11 @@ RealtimeSize denoiseSize(DenoiseKernel kernel);
 // Whether it needs the pixels that repeat the last frame's (`gradient_sample`).
 bool usesGradients(Denoiser denoiser);
 
-// "asvgf", "svgf", "atrous", "none".
+// Whether indirect light keeps its directions until the end and is lit anew by normal maps
+// (`indirect`); otherwise it is composed as `indirect_raw` has it.
+bool filtersIndirect(Denoiser denoiser);
+
+// "asvgf", "svgf", "atrous", "none", "bmfr".
 const char* denoiserName(Denoiser denoiser);
 std::optional<Denoiser> denoiserFromName(std::string_view name);
 

@@ -80,7 +80,8 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     RealtimeResult result;
     const bool resized = resize(
         {int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
-        {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none});
+        {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none,
+         plan.denoiser == Denoiser::bmfr});
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_ ||
@@ -103,7 +104,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
     heat_.begin(plan.heatMaps, images_.views().size[size_t(RealtimeSize::FULL)]);
-    images_.filtered = plan.denoiser != Denoiser::none;
+    images_.filtered = filtersIndirect(plan.denoiser);
 
     const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
     shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);

@@ -97,13 +97,16 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reus
     made.views_.size[size_t(RealtimeSize::FULL)] = full;
     made.views_.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
     made.views_.size[size_t(RealtimeSize::OUTPUT)] = output;
+    // Blocks begin up to 31 pixels outside of the picture (kernels/realtime/bmfr_fit.glsl).
+    made.views_.size[size_t(RealtimeSize::BLOCK)] = (full + 31) / 32 + 1;
     const auto place = [&](Set set, size_t i, size_t& end) {
         made.places_[i] = {set, end};
         end += bytesOf(made.views_, RealtimeImage(i));
     };
     const auto isWanted = [&](RealtimeMemory memory) {
         return memory == RealtimeMemory::OWN || (memory == RealtimeMemory::REUSE && reuse.light) ||
-               (memory == RealtimeMemory::INDIRECT_REUSE && reuse.indirect);
+               (memory == RealtimeMemory::INDIRECT_REUSE && reuse.indirect) ||
+               (memory == RealtimeMemory::BMFR && reuse.bmfr);
     };
     size_t twice = 0, once = 0;
     for (size_t i = 0; i < realtimeImageCount; ++i)

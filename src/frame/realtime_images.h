@@ -13,8 +13,9 @@ namespace gp {
 enum class RealtimeFormat : uint8_t {
     FLOAT1, HALF2, HALF4, POSITIVE3, RGB9E5, UNORM2, UNORM4, UINT1, UINT2
 };
-enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT };
-enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, LENT, SCRATCH };
+// BLOCK: of no image, but what a kernel is counted in that does BMFR's blocks of 32 x 32 pixels.
+enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT, BLOCK };
+enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, BMFR, LENT, SCRATCH };
 
 enum class RealtimeImage : uint32_t {
 #define X(name, format, size, copies, memory, meaning) name,
@@ -56,13 +57,14 @@ constexpr size_t realtimeLayerCount = 0
 // Which images the options ask for, beside those that every frame has.
 struct ReuseImages {
     bool light = false, indirect = false;
+    bool bmfr = false;  // the denoiser that fits
     bool operator==(const ReuseImages&) const = default;
 };
 
 // Where the kernels find the pixels, row after row; `previous` is null where there is one copy,
 // both are where the frame's options need no such image.
 struct RealtimeViews {
-    glm::ivec2 size[3];  // by RealtimeSize
+    glm::ivec2 size[4];  // by RealtimeSize
     std::byte* current[realtimeImageCount];
     std::byte* previous[realtimeImageCount];
 };

@@ -64,6 +64,7 @@ struct AnalyticSequence {
     AnalyticScene world;
     DenoiseScene s;
     float speed = 0.02f;  // metres a frame
+    bool filters = true;  // whether indirect light is that of the denoiser
     std::vector<vec4> was;   // of the last frame: positions
     std::vector<uint> seeds; // of the draws of each pixel
 
@@ -157,6 +158,7 @@ struct AnalyticSequence {
         s.forEach([&](ivec2 p) { setPixel(now, before, p); });
         repeatPixels(old, oldSeeds);
         s.denoise(denoiser);
+        filters = filtersIndirect(denoiser);
     }
 
     // Direct plus indirect light over albedo; of `samples` paths, or as it was denoised.
@@ -171,7 +173,8 @@ struct AnalyticSequence {
     }
     float shown(ivec2 p) const {
         if (!isSurface(p)) return 0;
-        return s.images.load_direct(p).x + s.images.load_indirect(p).x;
+        return s.images.load_direct(p).x +
+               (filters ? s.images.load_indirect(p).x : s.images.load_indirect_raw(p).x);
     }
     bool isSurface(ivec2 p) const { return s.images.load_depth(p) < DEPTH_NONE; }
 };

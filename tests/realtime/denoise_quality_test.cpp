@@ -43,16 +43,21 @@ Errors errorsOf(Denoiser d) {
 TEST(DenoiseQuality, BetterThanTheOthersOnAMovingScene) {
     const Errors none = errorsOf(Denoiser::none), atrous = errorsOf(Denoiser::atrous);
     const Errors svgf = errorsOf(Denoiser::svgf), asvgf = errorsOf(Denoiser::asvgf);
+    const Errors bmfr = errorsOf(Denoiser::bmfr);
     const auto print = [](const char* name, const Errors& e) {
         std::printf("%s: moving camera %.4f, moving lamp %.4f, lamp off %.4f\n", name, e.moving,
                     e.lampMoves, e.lampOff);
     };
     print("none", none), print("atrous", atrous), print("svgf", svgf), print("asvgf", asvgf);
+    print("bmfr", bmfr);
     EXPECT_LT(asvgf.moving, 0.2 * none.moving);
     EXPECT_LT(asvgf.moving, svgf.moving);
     EXPECT_LT(asvgf.moving, 0.5 * atrous.moving);
     EXPECT_LT(asvgf.lampMoves, 0.8 * svgf.lampMoves);
     EXPECT_LT(asvgf.lampMoves, atrous.lampMoves);
+    // Smooth shadows are not in the span of the features, and fade over frames.
+    EXPECT_LT(bmfr.moving, 0.5 * none.moving);
+    EXPECT_LT(asvgf.moving, bmfr.moving);
     EXPECT_LT(asvgf.lampOff, 0.2 * svgf.lampOff);
 }
 

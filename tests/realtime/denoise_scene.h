@@ -55,7 +55,7 @@ struct DenoiseScene {
     bool plain = false;  // without the optimised twins
 
     explicit DenoiseScene(ivec2 size, bool lends = true) : memory(lends) {
-        memory.resize(size, size);
+        memory.resize(size, size, {false, false, true});
         constants.size = size, constants.output_size = size;
         constants.repeats_draws = 1;
 #define X(name, initial, minimum, maximum, text) constants.name = initial;

@@ -41,17 +41,18 @@ struct Shown {
 };
 
 TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
-    Shown s;
-    GpRealtimeOptions reuse{};
+    Shown s, fitting;
+    GpRealtimeOptions reuse{}, bmfr{};
     reuse.lightReuse = reuse.indirectReuse = GP_REUSE_BIASED;
     reuse.heatMaps = 1;
-    s.render(reuse);
-    s.render(reuse);
+    bmfr.denoiser = GP_DENOISER_BMFR;
+    for (int i = 0; i < 2; ++i) s.render(reuse), fitting.render(bmfr);
     uint32_t count = 0;
     const char *name, *meaning;
     while (gpGetFrameLayerInfo(count, &name, &meaning) == GP_SUCCESS) {
         EXPECT_GT(std::string(meaning).size(), 5u) << name;
-        for (const glm::vec4& p : s.layer(name))
+        const bool isFitted = std::string(name).starts_with("fitted_");
+        for (const glm::vec4& p : (isFitted ? fitting : s).layer(name))
             for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(p[c])) << name;
         ++count;
     }
@@ -64,7 +65,8 @@ TEST(RealtimeFrame, LayersThatTheOptionsDoNotMakeAreAnError) {
     plain.denoiser = GP_DENOISER_NONE;
     s.render(plain);
     std::vector<glm::vec4> pixels(width * height);
-    for (const char* name : {"reservoir", "indirect_reservoir_hit", "indirect"}) {
+    for (const char* name :
+         {"reservoir", "indirect_reservoir_hit", "indirect", "fitted_diffuse"}) {
         EXPECT_EQ(gpReadFrameLayer(s.frame, name, &pixels[0].x, pixels.size() * 16),
                   GP_ERROR_INVALID_OPERATION);
         const char* message = "";
@@ -152,6 +154,34 @@ TEST(RealtimeFrame, TheSameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
         if (first.empty()) first = color;
         EXPECT_EQ(first, color) << threads;
     }
+}
+
+// What BMFR has fitted shows no less light than the rays found, and little of their noise.
+TEST(RealtimeFrame, BmfrKeepsTheLightAndNotTheNoise) {
+    Shown noisy, fitted;
+    GpRealtimeOptions none{}, bmfr{};
+    none.antiAliasing = bmfr.antiAliasing = GP_AA_NONE;
+    none.denoiser = GP_DENOISER_NONE, bmfr.denoiser = GP_DENOISER_BMFR;
+    const auto colors = [](Shown& s) {
+        return s.stage.read<glm::vec4>(s.frame, GP_IMAGE_COLOR, width * height);
+    };
+    std::vector<glm::dvec4> sum(width * height);
+    constexpr int frames = 48;
+    for (int i = 0; i < frames; ++i) {
+        noisy.render(none), fitted.render(bmfr);
+        const auto now = colors(noisy);
+        for (size_t p = 0; p < sum.size(); ++p) sum[p] += glm::dvec4(now[p]) / double(frames);
+    }
+    const auto raw = colors(noisy), quiet = colors(fitted);
+    double rawError = 0, quietError = 0, light = 0, quietLight = 0;
+    for (size_t p = 0; p < sum.size(); ++p) {
+        rawError += std::pow(raw[p].y - sum[p].y, 2);
+        quietError += std::pow(quiet[p].y - sum[p].y, 2);
+        light += sum[p].y, quietLight += quiet[p].y;
+    }
+    EXPECT_GT(rawError, 0);
+    EXPECT_LT(quietError, 0.5 * rawError);
+    EXPECT_NEAR(quietLight, light, 0.03 * light);
 }
 
 TEST(RealtimeFrame, AnotherDenoiserOrSceneBeginsAnew) {

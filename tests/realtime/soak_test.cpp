@@ -155,7 +155,7 @@ private:
     }
     void render() {
         GpRenderOptions o{};
-        o.realtime.denoiser = GpDenoiser(pick(4));
+        o.realtime.denoiser = GpDenoiser(pick(5));
         o.realtime.lightReuse = GpLightReuse(pick(3));
         o.realtime.indirectReuse = GpLightReuse(pick(3));
         o.realtime.antiAliasing = GpAntiAliasing(pick(3));
@@ -188,6 +188,102 @@ TEST(RealtimeSoak, AnythingBetweenFrames) {
         if (i == frames / 4) early = residentMiB();
     }
     EXPECT_LT(residentMiB() - early, 16) << "MiB more than after a quarter of the frames";
+}
+
+class ManyLights {
+public:
+    explicit ManyLights(uint32_t count) : stage_(variant()) {
+        Triangles floor;
+        floor.quad({-4, -1, -4}, {0, 0, 8}, {8, 0, 0});
+        stage_.add(floor, stage_.lambert(glm::vec3(0.6f)));
+        for (uint32_t i = 0; i < count; ++i) {
+            const GpLightDesc d = lamp(i);
+            lights_.push_back(gpNewLight(stage_.scene, &d));
+            EXPECT_NE(lights_.back(), nullptr);
+        }
+    }
+
+    void changeAll() {
+        for (uint32_t i = 0; i < lights_.size(); ++i) {
+            const GpLightDesc d = lamp(i);
+            stage_.check(gpSetLight(lights_[i], &d));
+        }
+    }
+
+    void wrongCalls() {
+        const float nan = std::nanf("");
+        const float sliver[9] = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+        GpLightDesc wrong = lamp(7);
+        wrong.id = 0, wrong.kind = GP_LIGHT_POLYGON, wrong.corners = sliver, wrong.cornerCount = 3;
+        EXPECT_EQ(gpSetLight(lights_[7], &wrong), GP_ERROR_OUT_OF_RANGE);  // no area
+        EXPECT_EQ(gpNewLight(stage_.scene, &wrong), nullptr);
+        wrong = lamp(8), wrong.position[1] = nan;
+        EXPECT_EQ(gpSetLight(lights_[8], &wrong), GP_ERROR_NOT_FINITE);
+        wrong = lamp(9), wrong.intensity = nan;
+        EXPECT_EQ(gpSetLight(lights_[9], &wrong), GP_ERROR_NOT_FINITE);
+        wrong = lamp(10);
+        EXPECT_EQ(gpNewLight(stage_.scene, &wrong), nullptr);  // its id is taken
+        gpGetError(stage_.device, nullptr);
+    }
+
+    // Every `step`th from the end, of those that are left.
+    void remove(uint32_t step) {
+        for (size_t i = lights_.size(); i-- > 0;)
+            if (lights_[i] && i % step == 0) {
+                stage_.check(gpRemoveLight(lights_[i]));
+                lights_[i] = nullptr;
+            }
+    }
+
+    // The sum of a frame without a past.
+    float render() {
+        const GpFrame frame = stage_.frame(20, 12);
+        GpCameraDesc camera{};
+        put(camera.position, {0, 0.6f, 4});
+        stage_.check(gpRender(frame, stage_.scene, &camera, nullptr));
+        stage_.check(gpRender(frame, stage_.scene, &camera, nullptr));
+        float sum = 0;
+        for (const glm::vec4& c : stage_.read<glm::vec4>(frame, GP_IMAGE_COLOR, 20 * 12))
+            sum += c.x + c.y + c.z;
+        stage_.check(gpReleaseFrame(frame));
+        return sum;
+    }
+
+private:
+    static Variant variant() {
+        Variant v;
+        v.mode = GP_MODE_REALTIME;
+        return v;
+    }
+    float uniform() { return float(random_() % 10000) / 10000; }
+    GpLightDesc lamp(uint32_t i) {
+        GpLightDesc d{};
+        d.kind = i % 3 == 0 ? GP_LIGHT_SPOT : GP_LIGHT_SPHERE;
+        d.id = i + 1, d.intensity = uniform() < 0.1f ? 0.0f : 1e-3f * uniform();
+        d.radius = i % 2 ? 0.0f : 0.01f;
+        put(d.position, {8 * uniform() - 4, 2 * uniform(), 8 * uniform() - 4});
+        return d;
+    }
+
+    Stage stage_;
+    std::minstd_rand random_{3};
+    std::vector<GpLight> lights_;
+};
+
+// A hundred thousand lights that all change between frames, wrong calls among them, until they are
+// all taken away again.
+TEST(RealtimeSoak, AHundredThousandLights) {
+    ManyLights many(100000);
+    for (int step = 0; step < 3; ++step) {
+        many.changeAll();
+        many.wrongCalls();
+        const float sum = many.render();
+        ASSERT_TRUE(std::isfinite(sum) && sum > 1e-3f) << sum;
+    }
+    many.remove(2);
+    EXPECT_GT(many.render(), 1e-3f);
+    many.remove(1);
+    EXPECT_EQ(many.render(), 0);
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
 }
 
 void CpuBackend::runDenoisePass(const RealtimeJob& job, const DenoisePass& pass) {
-    constexpr int rowsAtOnce = 4;
+    // A row of blocks is work enough.
+    const int rowsAtOnce = denoiseSize(pass.kernel) == RealtimeSize::BLOCK ? 1 : 4;
     const int rows = job.images.size[size_t(denoiseSize(pass.kernel))].y;
     arena_.execute([&] {
         tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int i) {

@@ -127,6 +127,13 @@ void CpuScene::fillInstances(const Scene& scene) {
         rtcReleaseGeometry(g);
     }
     attachLights(scene);
+    // Many lamps whose scene has changed before may do so in every frame: then building takes
+    // longer than their better structure saves.
+    constexpr size_t many = 4096;
+    size_t shapes = 0;
+    for (const auto& table : lightOfPrimitive_) shapes += table.size();
+    rtcSetSceneBuildQuality(top_.get(), built_ && shapes > many ? RTC_BUILD_QUALITY_LOW
+                                                                : RTC_BUILD_QUALITY_MEDIUM);
     rtcCommitScene(top_.get());
     if (sky_) rtcCommitScene(sky_.get());
 }

@@ -90,7 +90,20 @@ struct NewLight {
 struct Accumulated {
     vec4 light;
     float frames;
+    float share;      // of the new frame
 };
+
+// What of a change of light is worth ending a history for. With noise as large as the light a
+// small change is better averaged over than seen at the price of one frame's noise, and is mostly
+// noise itself: other lights chosen, reflections of other places. The gain of a Kalman filter whose
+// state has moved by `change` [Kalman 1960, "A New Approach to Linear Filtering and Prediction
+// Problems"], times the change. `antilag_noise`: what filters leave of the variance.
+float significant_change(float change, float luma, float variance) {
+    float moved = change * luma;
+    float moved2 = moved * moved;
+    float noise2 = max(variance, 0.0f) * load_realtime().antilag_noise;
+    return moved2 > 0.0f ? change * moved2 / (moved2 + noise2) : 0.0f;
+}
 
 // The share of the new frame in the mean of `frames`. Where light has changed much, the history is
 // of another light and goes at once.
@@ -115,14 +128,18 @@ float frames_kept(float frames, float change) {
 // changed: fully from a fiftieth on, as pixels that lag behind their neighbours make a pattern.
 Accumulated accumulate(IN(NewLight) now, vec4 history, float history_luma, float frames,
                        float limit) {
-    float before = frames_kept(frames, now.change);
+    float change =
+        frames > 0.0f
+            ? significant_change(now.change, max(now.luma, history_luma), history.w) : 0.0f;
+    float before = frames_kept(frames, change);
     float counts = now.is_repeated && before >= 1.0f ? min(50.0f * now.change, 1.0f) : 1.0f;
     Accumulated a;
     a.frames = min(before + counts, limit);
-    float share = counts * new_share(a.frames, now.change);
+    float share = counts * new_share(a.frames, change);
     float difference = now.luma - history_luma;
     float variance = (1.0f - share) * (history.w + share * difference * difference);
     float share2 = share * share;
+    a.share = share;
     a.light = vec4(mix(vec3(history), now.light, share),
                    mix(variance, now.variance, share2 * share2));
     return a;

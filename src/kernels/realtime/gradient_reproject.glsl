@@ -1,5 +1,7 @@
 // Of each block of 3 x 3 pixels one repeats a pixel of the last frame, its surface and its draws:
-// what comes out otherwise has changed.
+// what comes out otherwise has changed. Only its light is that of the other point, up to a pixel
+// away, over the albedo there; otherwise than in the paper its G-buffer stays its own, or textures
+// would flicker by that much.
 // Based on: Schied, Peters and Dachsbacher 2018, "Gradient Estimation for Real-Time Adaptive
 // Temporal Filtering", section 4.1; the pixels look for their past, as Q2RTX does, instead of the
 // past for its pixels.
@@ -65,28 +67,11 @@ PastPixel find_past_pixel(ivec2 pixel) {
     return past;
 }
 
-// The pixel shows the very point that `past` showed, where it is now; false if that has turned
-// away.
-bool repeat_surface(ivec2 pixel, ivec2 past) {
-    Sampler draws = realtime_draws(past, load_realtime().frame_index - 1u);
-    draws.dimension = CAMERA_DRAWS;
-    Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
-    hit.instance = load_current_instance(hit.instance);
-    LET_REF(CameraParams) camera = load_camera();
-    vec3 wo = camera.kind == CAMERA_ORTHOGRAPHIC
-                  ? -camera.forward : normalize(camera.position - surface_position(hit));
-    PixelSurface at = pixel_surface(hit, wo, load_depth(pixel),
-                                    draw_at(draws, 0u, DRAW_OTHERS).x);
-    // What has turned away is not what the camera sees there.
-    if ((dot(at.s.ng, octahedral_decode(load_view(pixel))) >= 0.0f ? 1u : 0u) != at.s.front) {
-        return false;
-    }
-    PixelView seen;
-    seen.image = mirror_image_identity();
-    seen.emission = shown_emission(at.p);
-    seen.mirrors = 0u;
-    store_surface(pixel, seen, hit, at.s, at.p, wo, vec3(1.0f));
-    return true;
+// The point that `past` showed is still seen, from where `pixel` is seen: it has not turned away.
+bool past_point_is_seen(ivec2 pixel, ivec2 past) {
+    PixelSurface at = past_surface_at(past, load_depth(pixel), 0.5f);
+    if (at.exists == 0u) { return false; }
+    return (dot(at.s.ng, octahedral_decode(load_view(pixel))) >= 0.0f ? 1u : 0u) == at.s.front;
 }
 
 // Bits 0-3: 1 + the pixel's number in its block, 0: none; bits 4-17 and 18-31: x and y of the past
@@ -108,7 +93,7 @@ void realtime_gradient_reproject(ivec2 block) {
             code = (i + 1u) | (uint(past.at.x) << 4u) | (uint(past.at.y) << 18u);
         }
     }
-    if (code != 0u && !repeat_surface(pixel, past_at)) { code = 0u; }
+    if (code != 0u && !past_point_is_seen(pixel, past_at)) { code = 0u; }
     store_gradient_sample(block, code);
 }
 

@@ -134,10 +134,9 @@ BlockLight accumulate_block(IN(BlockLight) now, IN(BlockLight) history, float li
     luma.is_repeated = false;
     vec4 before = vec4(history.light.x, 0.0f, 0.0f, history.chroma.w);
     Accumulated a = accumulate(luma, before, before.x, history.chroma.z, limit);
-    float share = new_share(a.frames, change);
     BlockLight sum;
-    sum.light = mix(history.light, now.light, share);
-    vec4 chroma = mix(history.chroma, now.chroma, share);
+    sum.light = mix(history.light, now.light, a.share);
+    vec4 chroma = mix(history.chroma, now.chroma, a.share);
     sum.chroma = vec4(chroma.x, chroma.y, a.frames, a.light.w);
     return sum;
 }

@@ -243,8 +243,13 @@ void realtime_light(ivec2 pixel) {
     Sampler draws = realtime_draws(drawing, frame_index);
     draws.dimension = CAMERA_DRAWS;
     note_draws(draws);
-    store_pixel_light(
-        pixel, pixel_light(pixel, past, load_pixel_surface(pixel, draws, m.mirrors), draws));
+    PixelSurface at;
+    if (past.x >= 0) {
+        at = load_repeated_surface(pixel, past, draws);
+    } else {
+        at = load_pixel_surface(pixel, draws, m.mirrors);
+    }
+    store_pixel_light(pixel, pixel_light(pixel, past, at, draws));
 }
 
 #endif

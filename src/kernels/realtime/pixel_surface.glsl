@@ -72,7 +72,8 @@ PixelSurface load_pixel_surface(ivec2 pixel, IN(Sampler) primary_draws, uint mir
 }
 
 // The surface that a pixel of the last frame showed, where it is now, straight from the camera.
-PixelSurface load_past_surface(ivec2 past) {
+// `depth`, `u_lod` as in pixel_surface.
+PixelSurface past_surface_at(ivec2 past, float depth, float u_lod) {
     LET_REF(CameraParams) camera = load_camera();
     Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
     PixelSurface at;
@@ -83,7 +84,23 @@ PixelSurface load_past_surface(ivec2 past) {
     vec3 position = surface_position(hit);
     vec3 wo = camera.kind == CAMERA_ORTHOGRAPHIC ? -camera.forward
                                                  : normalize(camera.position - position);
-    return pixel_surface(hit, wo, load_previous_depth(past), 0.5f);
+    return pixel_surface(hit, wo, depth, u_lod);
+}
+
+PixelSurface load_past_surface(ivec2 past) {
+    return past_surface_at(past, load_previous_depth(past), 0.5f);
+}
+
+// The same for a pixel that repeats it: with its draws, and over its own albedo as that pixel
+// kept it. What the G-buffer says of `pixel` stays its own, so that repeating changes no picture.
+PixelSurface load_repeated_surface(ivec2 pixel, ivec2 past, IN(Sampler) past_draws) {
+    PixelSurface at =
+        past_surface_at(past, load_depth(pixel), draw_at(past_draws, 0u, DRAW_OTHERS).x);
+    if (at.exists == 0u) { return at; }
+    PixelAlbedo albedo = pixel_albedo(at.p, at.wo, vec3(1.0f));
+    at.inv_albedo = inverse_or_zero(unorm8_rounded(albedo.diffuse));
+    at.inv_specular_albedo = inverse_or_zero(unorm8_rounded(albedo.specular));
+    return at;
 }
 
 #endif
