@@ -199,7 +199,7 @@ void readLayer(const RealtimeFrame& frame, size_t layer, glm::vec4* pixels) {
     if (!hasHeatLayer(frame.heat(), frame.images(), heatLayer(layer)))
         fail(GP_ERROR_INVALID_OPERATION, "the frame has no layer {}: {}", layerName(layer),
              heatLayer(layer) == HeatLayer::variance
-                 ? "it was rendered without a denoiser"
+                 ? "its denoiser estimates none"
                  : "it was rendered without options.realtime.heatMaps");
     readHeatLayer(frame.heat(), frame.images(), heatLayer(layer), pixels);
 }

@@ -19,7 +19,8 @@ constexpr User users[] = {
     {"reuse_", "", "light reuse"},
     {"indirect_reuse_", "", "indirect reuse"},
     {"resolve_", "", "anti-aliasing"},
-    {"svgf_", "", "svgf"},
+    {"svgf_", "", "svgf", "bmfr"},  // their temporal passes are one
+    {"bmfr_", "", "bmfr"},
     {"", "_history_frames", "asvgf"},
     {"", "_antilag", "asvgf"},
     {"filter_luminance", "", "asvgf", "svgf"},  // one frame alone knows no deviation
@@ -34,6 +35,8 @@ std::vector<std::string_view> usersOf(const DenoiserParameterInfo& parameter) {
             if (row.another.empty()) return {row.user};
             return {row.user, row.another};
         }
+    if (name.starts_with("history_") || name == "firefly_limit")
+        return {"asvgf", "svgf", "atrous", "bmfr"};
     return {"asvgf", "svgf", "atrous"};
 }
 
