@@ -5,7 +5,8 @@
 
 namespace gp::tool {
 
-// While it lives, SIGINT and SIGTERM cancel renders of the device. One at a time.
+// While it lives, SIGINT and SIGTERM cancel renders of the device; NULL: they cancel nothing, and
+// interrupted() alone tells. One at a time.
 class InterruptGuard {
 public:
     explicit InterruptGuard(GpDevice device);

@@ -57,14 +57,17 @@ std::vector<GpShadingFrequency> frequenciesOf(const LocalSettings& s) {
 
 void addLocalOptions(CLI::App& app, LocalSettings& s) {
     const std::string group = "Local lighting (--mode local)";
-    addWord(app, "--mode", "reference|local",
-            "reference: path tracing; local: the picture of a rasteriser, lit by lamps without "
-            "shadows and bounces (default reference)",
+    addWord(app, "--mode", "reference|realtime|local",
+            "reference: path tracing; realtime: what an application shows, about one path a pixel "
+            "and frame, denoised; local: the picture of a rasteriser, lit by lamps without shadows "
+            "and bounces (default reference)",
             [&s](const std::string& word) {
                 const std::pair<const char*, GpFrameMode> choices[] = {
-                    {"reference", GP_MODE_REFERENCE}, {"local", GP_MODE_LOCAL}};
+                    {"reference", GP_MODE_REFERENCE},
+                    {"realtime", GP_MODE_REALTIME},
+                    {"local", GP_MODE_LOCAL}};
                 s.mode = parseChoice("--mode", word, choices);
-            })->group(group);
+            })->group("Mode");
     addWords(app, "--lighting", "MODEL|all",
              "The reflectance of all surfaces, tinted by their base colours (default: their own); "
              "may be repeated, for a sheet of pictures; all: every opaque model",
@@ -106,7 +109,7 @@ void checkMode(const CLI::App& app, const LocalSettings& s) {
     };
     if (local) {
         for (const char* option : {"--bounces", "--clamp", "--no-roulette"}) {
-            refuse(option, "reference");
+            refuse(option, "reference or realtime");
         }
         if (!s.models.assignments.empty() && s.models.words.empty()) {
             throw UsageError("--set: needs --lighting");

@@ -9,6 +9,7 @@
 #include "lighting_sheet.h"
 #include "output.h"
 #include "render_frame.h"
+#include "render_realtime.h"
 #include "render_report.h"
 #include "render_settings.h"
 #include "scene_setup.h"
@@ -25,6 +26,7 @@ constexpr const char* kExamples =
     "  glitterpath render ship.glb -o ship.png --sun 120,25,0 --from 8,3,10 --fov 35\n"
     "  glitterpath render cup.glb -o cup.png --material gold --material handle=leather:sheen=0.4\n"
     "  glitterpath render box.glb -o box.png --time-limit 30 --json - --quiet\n"
+    "  glitterpath render room.glb -o room.png --mode realtime --frames 32 --denoiser svgf\n"
     "  glitterpath render ship.glb -o ship.png --mode local --lighting ward:alpha_x=0.3\n"
     "  glitterpath render ship.glb -o sheet.png --mode local --lighting all";
 
@@ -88,9 +90,13 @@ int renderPicture(GpDevice device, const SceneSetup& setup, const GpCameraDesc& 
     report.secondsLoad = setup.secondsLoad;
     report.device = gpGetDeviceName(device);
     report.lighting = lighting;
-    report.interrupted =
-        !trace(device, frame.get(), setup.scene.get(), camera, settings, lighting.local);
-    check(device, gpGetFrameStatistics(frame.get(), &report.statistics));
+    if (settings.local.mode == GP_MODE_REALTIME) {
+        renderRealtime(device, frame.get(), setup.scene.get(), camera, settings, report);
+    } else {
+        report.interrupted =
+            !trace(device, frame.get(), setup.scene.get(), camera, settings, lighting.local);
+        check(device, gpGetFrameStatistics(frame.get(), &report.statistics));
+    }
     if (report.interrupted && report.statistics.samplesPerPixel == 0) {
         return nothingSaved(settings);
     }
@@ -100,7 +106,9 @@ int renderPicture(GpDevice device, const SceneSetup& setup, const GpCameraDesc& 
 int runRender(const CLI::App& app, RenderSettings& settings) {
     prepare(app, settings);
     const Device device = newDevice(settings.device);
-    const InterruptGuard guard(device.get());
+    // A frame of real time that was cancelled is half of one: there the last whole one counts.
+    const bool realtime = settings.local.mode == GP_MODE_REALTIME;
+    const InterruptGuard guard(realtime ? nullptr : device.get());
     const std::vector<Model> models = lightingModels(device.get(), settings.local);
     SceneSetup setup = setUpScene(device.get(), settings);
     const GpCameraDesc camera =

@@ -40,7 +40,11 @@ Json reportJson(const RenderReport& report, const RenderSettings& settings) {
     json["height"] = settings.size.height;
     json["spp"] = s.samplesPerPixel;
     const bool local = settings.local.mode == GP_MODE_LOCAL;
-    json["mode"] = local ? "local" : "reference";
+    const bool realtime = settings.local.mode == GP_MODE_REALTIME;
+    json["mode"] = local ? "local" : realtime ? "realtime" : "reference";
+    if (realtime) {
+        json["frames"] = report.frames;
+    }
     if (local) {
         json["lighting"] = report.lighting.model.empty() ? Json(nullptr)
                                                          : Json(report.lighting.model);
@@ -72,6 +76,9 @@ std::string reportText(const RenderReport& report, const RenderSettings& setting
     const GpFrameStatistics& s = report.statistics;
     std::string text = fmt::format("{}: {}x{}, {} spp", settings.outputPath, settings.size.width,
                                    settings.size.height, s.samplesPerPixel);
+    if (report.frames > 0) {
+        text += fmt::format(" in {} frame{}", report.frames, report.frames > 1 ? "s" : "");
+    }
     if (s.noise >= 0) {
         text += fmt::format(", noise {:.2f} %", 100 * s.noise);
     }

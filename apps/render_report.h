@@ -14,6 +14,7 @@ struct RenderReport {
     GpFrameStatistics statistics{};
     double secondsLoad = 0;
     std::optional<double> exposureEv;  // none: the file is not display-referred
+    std::uint32_t frames = 0;          // of real time
     std::string device;
     Lighting lighting;
     bool interrupted = false;

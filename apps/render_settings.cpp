@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "commands.h"
+#include "render_realtime.h"
 #include "scene_setup.h"
 #include "tool_error.h"
 
@@ -183,7 +184,10 @@ void addPictureOptions(CLI::App& app, RenderSettings& s) {
     addWord(app, "--aov", "LIST|all",
             "EXR: further layers, with commas between them: albedo, normal, depth, emission, "
             "direct, indirect, roughness, variance, instance",
-            [&s](const std::string& word) { s.save.layers = parseLayers(word); })->group(group);
+            [&s](const std::string& word) {
+                s.save.layers = parseLayers(word);
+                s.everyLayer = word == "all";
+            })->group(group);
     app.add_flag_callback("--full-float", [&s] { s.save.fullFloat = 1; },
                           "EXR: 32-bit floats instead of 16-bit ones")->group(group);
 }
@@ -232,6 +236,7 @@ void addRenderOptions(CLI::App& app, RenderSettings& s) {
     addLightOptions(app, s);
     addQualityOptions(app, s);
     addLocalOptions(app, s.local);
+    addRealtimeRenderOptions(app, s);
     addPictureOptions(app, s);
     addMachineOptions(app, s);
 }
@@ -275,8 +280,9 @@ void checkPictureSettings(const RenderSettings& s, PictureFormat format) {
     }
 }
 
-void checkSettings(const CLI::App& app, const RenderSettings& s) {
+void checkSettings(const CLI::App& app, RenderSettings& s) {
     checkMode(app, s.local);
+    finishRealtimeRender(app, s);
     if (!s.local.models.words.empty() && s.options.shading == GP_SHADING_DIFFUSE) {
         throw UsageError("--lighting: not together with --shading diffuse");
     }

@@ -25,6 +25,13 @@ struct SunSettings {
     double lux = 0;           // on a plane that faces it
 };
 
+// --tune: numbers of the real-time mode, with what their names are kept in.
+struct Tuning {
+    std::vector<std::string> words;  // NAME=VALUE, as written
+    std::vector<std::string> names;
+    std::vector<GpDenoiserParameter> parameters;
+};
+
 struct RenderSettings {
     std::string scenePath, outputPath, jsonPath;
     GpLoadOptions load{};
@@ -47,12 +54,17 @@ struct RenderSettings {
     GpRenderOptions options{};
     std::uint32_t bounces = 16;
 
-    // --mode local, and what belongs to it
+    // real time
+    Tuning tuning;
+    std::uint32_t frames = 16;  // of `render --mode realtime`
+
+    // --mode, and what belongs to local lighting
     LocalSettings local;
 
     // the picture
     std::optional<double> exposureEv;  // none: automatic
     bool exposureGiven = false, tonemapGiven = false;
+    bool everyLayer = false;  // --aov all
     GpSaveOptions save{};
 
     GpDeviceDesc device{};
@@ -74,8 +86,8 @@ void addMachineOptions(CLI::App& app, RenderSettings& settings);
 PictureFormat pictureFormat(const std::string& path);
 
 // What no single option can know by itself; throws UsageError. `app` is that of
-// addRenderOptions.
-void checkSettings(const CLI::App& app, const RenderSettings& settings);
+// addRenderOptions. The options of real time point into the settings then.
+void checkSettings(const CLI::App& app, RenderSettings& settings);
 // The parts of it that belong to the groups. format: of what is written.
 void checkLightSettings(const RenderSettings& settings);
 void checkPictureSettings(const RenderSettings& settings, PictureFormat format);

@@ -137,7 +137,12 @@ SceneFacts factsOf(GpDevice device, SceneSetup& setup, const RenderSettings& set
     }
     facts.reach = metresToSee(device, scene, facts.start);
     facts.index = SceneIndex(describeScene(device, scene));
-    facts.lights = facts.index.lights();
+    // The sun of a sky comes last and goes with it: it belongs to the surroundings.
+    const bool hasSkySun = settings.environmentPath.empty() && !settings.environmentColor &&
+                           (settings.sun || setup.skyAdded);
+    facts.lights = sceneLights(device, scene,
+                               static_cast<std::uint32_t>(info.lights) - (hasSkySun ? 1u : 0u));
+    facts.denoisers = describeDenoisers(device);
     return facts;
 }
 

@@ -18,7 +18,8 @@ namespace gp::tool {
 namespace {
 
 constexpr const char* kNotes =
-    "The exposure `auto` is found once, from frame 0, by the rule of `glitterpath render`.\n"
+    "The exposure `auto` is found once, from frame 0, by the rule of `glitterpath render`; with\n"
+    "--eye-adaptation it is 0, and each frame has its own.\n"
     "Ctrl-C ends after the last whole frame, which stays; --start goes on from there.\n\n"
     "Examples:\n"
     "  glitterpath animate fox.glb --frames 48 --animation 2 -o fox.mp4\n"
@@ -57,7 +58,8 @@ void addAnimateOptions(CLI::App& app, AnimateSettings& s) {
             [&s](const std::string& word) {
                 s.render.options.realtime.denoiser = parseDenoiser(word);
             })->group("Real time");
-    addRealtimeOptions(app, s);
+    addRealtimeOptions(app, s.render);
+    addEyeOptions(app, s.render.options.realtime.eyeAdaptation);
     addQualityOptions(app, s.render);
     addPictureOptions(app, s.render);
     addMachineOptions(app, s.render);
@@ -83,10 +85,14 @@ void prepare(const CLI::App& app, AnimateSettings& s) {
         if (r.options.samplesPerPixel > 1) {
             throw UsageError("--spp: only with --mode reference");
         }
-        finishRealtime(s);
+        finishRealtime(r, 1 / s.framesPerSecond);
+        if (app.count("--eye-range") > 0 && !s.adapts()) {
+            throw UsageError("--eye-range: needs --eye-adaptation");
+        }
     } else {
         for (const char* name :
-             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse", "--tune"}) {
+             {"--aa", "--render-scale", "--mirrors", "--denoiser", "--light-reuse",
+              "--indirect-reuse", "--tune", "--eye-adaptation", "--eye-range"}) {
             if (app.count(name) > 0) {
                 throw UsageError(fmt::format("{}: only with --mode realtime", name));
             }
@@ -145,6 +151,9 @@ void renderFrames(GpDevice device, GpFrame frame, MovingScene& moving, FrameWrit
         addPasses(device, frame, report.passes);
         writer.write(device, frame, i);
         report.secondsWrite += secondsSince(rendered);
+    }
+    if (settings.adapts()) {
+        report.exposureEv = static_cast<double>(report.last.exposureEv);
     }
     report.interrupted = settings.start + report.milliseconds.size() < settings.frames;
 }

@@ -67,7 +67,9 @@ std::string animateText(const AnimateReport& report, const AnimateSettings& sett
                             percentile(report.milliseconds, 0.95));
     }
     return text + fmt::format(", exposure {:+.2f} EV{}", report.exposureEv,
-                              s.exposureEv ? "" : " (automatic)");
+                              settings.adapts() ? " (adapted, last frame)"
+                              : s.exposureEv      ? ""
+                                                  : " (automatic)");
 }
 
 }  // namespace gp::tool

@@ -10,6 +10,13 @@ namespace {
 
 constexpr std::uint32_t kMaxFrames = 1u << 20;
 
+GpLightReuse parseReuse(const char* option, const std::string& word) {
+    const std::pair<const char*, GpLightReuse> choices[] = {{"none", GP_REUSE_NONE},
+                                                            {"biased", GP_REUSE_BIASED},
+                                                            {"unbiased", GP_REUSE_UNBIASED}};
+    return parseChoice(option, word, choices);
+}
+
 }  // namespace
 
 void addMotionOptions(CLI::App& app, AnimateSettings& s) {
@@ -47,9 +54,9 @@ void addMotionOptions(CLI::App& app, AnimateSettings& s) {
         ->group(group);
 }
 
-void addRealtimeOptions(CLI::App& app, AnimateSettings& s) {
+void addRealtimeOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Real time";
-    GpRealtimeOptions& o = s.render.options.realtime;
+    GpRealtimeOptions& o = s.options.realtime;
     addWord(app, "--aa", "NAME",
             "Anti-aliasing: temporal; none: rays through the middle of pixels; jitter: rays move, "
             "frames stay as they are (default temporal)",
@@ -73,11 +80,13 @@ void addRealtimeOptions(CLI::App& app, AnimateSettings& s) {
             "How shadow rays choose their lamp: none: each pixel by itself; biased, unbiased: with "
             "what pixels nearby found in the last frame (default none)",
             [&o](const std::string& word) {
-                const std::pair<const char*, GpLightReuse> choices[] = {
-                    {"none", GP_REUSE_NONE},
-                    {"biased", GP_REUSE_BIASED},
-                    {"unbiased", GP_REUSE_UNBIASED}};
-                o.lightReuse = parseChoice("--light-reuse", word, choices);
+                o.lightReuse = parseReuse("--light-reuse", word);
+            })->group(group);
+    addWord(app, "--indirect-reuse", "NAME",
+            "The same for light that comes over one more surface: none, biased, unbiased (default "
+            "none)",
+            [&o](const std::string& word) {
+                o.indirectReuse = parseReuse("--indirect-reuse", word);
             })->group(group);
     addWords(app, "--tune", "NAME=VALUE",
              "Another value for a number of denoisers, light reuse or anti-aliasing "
@@ -93,8 +102,36 @@ GpDenoiser parseDenoiser(const std::string& word) {
     return parseChoice("--denoiser", word, choices);
 }
 
-void finishRealtime(AnimateSettings& s) {
-    GpRenderOptions& o = s.render.options;
+void addEyeOptions(CLI::App& app, GpEyeAdaptation& eye) {
+    const std::string group = "Real time";
+    addWord(app, "--eye-adaptation", "S",
+            "The exposure follows what is seen, as eyes do: seconds until 63 % of the way are "
+            "done, up to 3600; --exposure is added (default 0: off)",
+            [&eye](const std::string& word) {
+                eye.seconds =
+                    static_cast<float>(parseNumber("--eye-adaptation", word, 0, 3600));
+            })->group(group);
+    addWord(app, "--eye-range", "MIN,MAX",
+            "The exposures between which it stays, stops within -100..100 (default -10,10)",
+            [&eye](const std::string& word) {
+                const std::vector<std::string> parts = splitAtCommas(word);
+                if (parts.size() != 2) {
+                    throw UsageError(fmt::format("--eye-range: '{}' must be MIN,MAX", word));
+                }
+                eye.evMin = static_cast<float>(parseNumber("--eye-range", parts[0], -100, 100));
+                eye.evMax = static_cast<float>(parseNumber("--eye-range", parts[1], -100, 100));
+                if (eye.evMin > eye.evMax) {
+                    throw UsageError(fmt::format("--eye-range: {} is above {}", parts[0],
+                                                 parts[1]));
+                }
+                if (eye.evMin == 0 && eye.evMax == 0) {
+                    throw UsageError("--eye-range: 0,0 leaves nothing to adapt; use --exposure");
+                }
+            })->group(group);
+}
+
+void finishRealtime(RenderSettings& s, double secondsPerFrame) {
+    GpRenderOptions& o = s.options;
     const char* given = o.timeLimit != 0     ? "--time-limit"
                         : o.noiseTarget != 0 ? "--noise"
                         : o.pixelFilter != 0 ? "--filter"
@@ -113,7 +150,7 @@ void finishRealtime(AnimateSettings& s) {
     }
     o.realtime.parameters = s.tuning.parameters.data();
     o.realtime.parameterCount = static_cast<std::uint32_t>(s.tuning.parameters.size());
-    o.realtime.timeStep = static_cast<float>(1 / s.framesPerSecond);
+    o.realtime.timeStep = static_cast<float>(secondsPerFrame);
 }
 
 void checkMotion(const AnimateSettings& s) {

@@ -10,16 +10,8 @@
 
 namespace gp::tool {
 
-// --tune: numbers of the real-time mode, with what their names are kept in.
-struct Tuning {
-    std::vector<std::string> words;  // NAME=VALUE, as written
-    std::vector<std::string> names;
-    std::vector<GpDenoiserParameter> parameters;
-};
-
 struct AnimateSettings {
     RenderSettings render;
-    Tuning tuning;
     GpFrameMode mode = GP_MODE_REALTIME;
     std::uint32_t frames = 0;  // numbers 0 .. frames - 1
     std::uint32_t start = 0;   // the first that is rendered
@@ -31,20 +23,25 @@ struct AnimateSettings {
     std::optional<double> orbitPeriod;  // seconds
     std::optional<double> orbitHeight;  // metres above the centre
 
+    // The exposure follows what is seen.
+    bool adapts() const { return render.options.realtime.eyeAdaptation.seconds > 0; }
     bool orbits() const { return path == "orbit"; }
     bool hasKeys() const { return path.ends_with(".json"); }
 };
 
 // What belongs to --mode realtime, but for the denoiser. The settings must outlive the parsing.
-void addRealtimeOptions(CLI::App& app, AnimateSettings& settings);
+void addRealtimeOptions(CLI::App& app, RenderSettings& settings);
 
 // A word of --denoiser; throws UsageError.
 GpDenoiser parseDenoiser(const std::string& word);
 
-// Gives what --tune says and the time between frames to render.options.realtime, which points into
-// the settings then. Throws UsageError where path tracing was asked for things that real time does
-// not take.
-void finishRealtime(AnimateSettings& settings);
+// Gives what --tune says and the time between frames to options.realtime, which points into the
+// settings then. Throws UsageError where path tracing was asked for things that real time does not
+// take.
+void finishRealtime(RenderSettings& settings, double secondsPerFrame);
+
+// --eye-adaptation and --eye-range.
+void addEyeOptions(CLI::App& app, GpEyeAdaptation& eye);
 
 // --frames, --fps, --path and their like. The settings must outlive the parsing.
 void addMotionOptions(CLI::App& app, AnimateSettings& settings);

@@ -69,7 +69,7 @@ void addEvaluateOptions(CLI::App& app, EvaluateSettings& s, std::optional<std::u
                     s.variants.back().options.denoiser = parseDenoiser(name);
                 }
             })->group("Real time");
-    addRealtimeOptions(app, s.motion);
+    addRealtimeOptions(app, r);
     addCameraOptions(app, r);
     addLightOptions(app, r);
     addQualityOptions(app, r);
@@ -90,7 +90,7 @@ void checkEvaluation(EvaluateSettings& s, std::optional<std::uint32_t> off) {
         throw UsageError(
             fmt::format("--output: '{}' does not end in .html or .json", r.outputPath));
     }
-    finishRealtime(s.motion);
+    finishRealtime(r, 1 / s.motion.framesPerSecond);
     if (s.variants.empty()) {
         s.variants.push_back({"asvgf", {}});
     }

@@ -8,16 +8,19 @@
 #include "animate/frame_progress.h"
 #include "animate/moving_scene.h"
 #include "metrics/color.h"
-#include "metrics/compare_pictures.h"
-#include "metrics/parallel.h"
+#include "metrics/noisy_reference.h"
 #include "render_frame.h"
 #include "tool_error.h"
 
 namespace gp::tool {
 namespace {
 
+// Pixels. Without anti-aliasing real time has all of its rays through the centres of pixels.
+constexpr float kCentreRadius = 1e-4f;
+
 using metrics::Picture;
 using metrics::Plane;
+using metrics::ReferencePair;
 
 // What a person sees: display pixels, decoded to linear light.
 Picture shownBy(GpDevice device, GpFrame frame, Size size) {
@@ -29,22 +32,6 @@ Picture shownBy(GpDevice device, GpFrame frame, Size size) {
         picture.pixels[i] = metrics::linearFromSrgb(encoded / 255.0f);
     }
     return picture;
-}
-
-// of(a) - of(b) at each pixel.
-template <class Value>
-Plane difference(const Picture& a, const Picture& b, const Value& of) {
-    Plane plane(a.width, a.height);
-    metrics::forEachRow(a.height, [&](int y) {
-        for (int x = 0; x < a.width; ++x) {
-            plane.at(x, y) = of(a.at(x, y)) - of(b.at(x, y));
-        }
-    });
-    return plane;
-}
-
-float luma(const glm::vec3& linear) {
-    return metrics::luminance(metrics::srgbFromLinear(linear));
 }
 
 Picture encoded(const Picture& linear) {
@@ -167,7 +154,7 @@ private:
     // Of one variant, from frame to frame.
     struct State {
         Frame frame;
-        Plane error;   // of luma as shown, in the last frame
+        metrics::ErrorPair error;  // of luma as shown, in the last frame
         Plane depth;
     };
 
@@ -180,17 +167,22 @@ private:
         }
     }
 
-    GpRenderOptions referenceOptions(std::uint32_t frame) const {
+    // `half`: 0 or 1. Both halves of a reference have half of its samples and seeds of their own.
+    GpRenderOptions referenceOptions(std::uint32_t frame, std::uint32_t half) const {
         GpRenderOptions options = m_render.options;
+        options.samplesPerPixel = (options.samplesPerPixel + 1) / 2;
         // As many bounces as real time has by itself, and the filter of its rays: what is measured
         // shall be noise and filters.
         if (options.maxBounces == 0) {
             options.maxBounces = 1;
         }
         options.pixelFilter = GP_PIXEL_BOX;
+        if (options.realtime.antiAliasing == GP_AA_NONE) {
+            options.pixelFilterRadius = kCentreRadius;
+        }
         options.realtime = {};
         options.exposureEv = static_cast<float>(m_result.exposureEv);
-        options.seed += frame;
+        options.seed += 2 * frame + half;
         return options;
     }
     GpRenderOptions realtimeOptions(const Variant& variant) const {
@@ -204,39 +196,49 @@ private:
     // The reference takes nearly all of the time, twice where the lamp is on once more.
     bool evaluateFrame(std::uint32_t i) {
         const GpCameraDesc camera = m_moving.goTo(i);
-        Picture withLamp;
+        std::optional<ReferencePair> withLamp;
         const double half = isOut(i) ? 0.45 : 0.0;
         if (isOut(i)) {
             m_lamp->set(true);
-            m_progress.begin(i, 0, half);
-            if (!renderReference(camera, i)) {
+            withLamp = renderReference(camera, i, 0, half);
+            if (!withLamp) {
                 return false;
             }
-            withLamp = shownBy(m_device, m_reference.get(), m_render.size);
         }
         setLamp(i);
-        m_progress.begin(i, half, 0.9);
-        if (!renderReference(camera, i)) {
+        const std::optional<ReferencePair> reference = renderReference(camera, i, half, 0.9);
+        if (!reference) {
             return false;
         }
-        const Picture reference = shownBy(m_device, m_reference.get(), m_render.size);
+        m_result.noise.push_back(metrics::noiseOf(*reference));
         m_progress.begin(i, 0.9, 1);
         for (std::size_t v = 0; v < m_states.size(); ++v) {
-            if (!evaluateVariant(v, camera, reference, isOut(i) ? &withLamp : nullptr)) {
+            if (!evaluateVariant(v, camera, *reference, withLamp ? &*withLamp : nullptr)) {
                 return false;
             }
         }
-        m_result.lastReference = encoded(reference);
+        m_result.lastReference = encoded(reference->mean());
         return true;
     }
 
-    bool renderReference(const GpCameraDesc& camera, std::uint32_t frame) {
-        return renderWith(m_device, m_reference.get(), m_moving.scene(), camera,
-                          referenceOptions(frame), m_progress);
+    // None when interrupted. `from` .. `to`: its share of the frame's progress.
+    std::optional<ReferencePair> renderReference(const GpCameraDesc& camera, std::uint32_t frame,
+                                                 double from, double to) {
+        ReferencePair pair;
+        for (std::uint32_t half = 0; half < 2; ++half) {
+            m_progress.begin(frame, from + 0.5 * half * (to - from),
+                             from + 0.5 * (half + 1) * (to - from));
+            if (!renderWith(m_device, m_reference.get(), m_moving.scene(), camera,
+                            referenceOptions(frame, half), m_progress)) {
+                return std::nullopt;
+            }
+            (half == 0 ? pair.a : pair.b) = shownBy(m_device, m_reference.get(), m_render.size);
+        }
+        return pair;
     }
 
-    bool evaluateVariant(std::size_t index, const GpCameraDesc& camera, const Picture& reference,
-                         const Picture* withLamp) {
+    bool evaluateVariant(std::size_t index, const GpCameraDesc& camera,
+                         const ReferencePair& reference, const ReferencePair* withLamp) {
         State& state = m_states[index];
         VariantResult& result = m_result.variants[index];
         const Variant& variant = m_settings.variants[index];
@@ -249,18 +251,19 @@ private:
             std::chrono::steady_clock::now() - start;
         result.milliseconds.push_back(taken.count());
         const Picture shown = shownBy(m_device, state.frame.get(), m_render.size);
-        metrics::Comparison c =
-            metrics::comparePictures(shown, reference, metrics::PictureKind::display);
-        result.rmse.push_back(c.rmse);
+        metrics::NoisyComparison c = metrics::compareWithPair(shown, reference);
+        result.mse.push_back(c.mse);
         result.ssim.push_back(c.ssim);
-        result.flip.push_back(c.flip);
+        result.flip.push_back(c.flip.mean);
         result.lastPicture = encoded(shown);
-        result.lastFlip = std::move(c.flipMap);
+        result.lastFlip = std::move(c.flip.map);
         addFlicker(state, result, shown, reference, variant.options.renderScale);
         if (withLamp != nullptr) {
-            const auto afterglow =
-                metrics::afterglow(difference(shown, reference, metrics::luminance),
-                                   difference(*withLamp, reference, metrics::luminance));
+            metrics::ErrorPair step;
+            step.a = metrics::errorsOf(withLamp->a, reference, metrics::luminance).a;
+            step.b = metrics::errorsOf(withLamp->b, reference, metrics::luminance).b;
+            const auto afterglow = metrics::afterglow(
+                metrics::errorsOf(shown, reference, metrics::luminance), step);
             m_result.lampShows &= afterglow.has_value();
             result.afterglow.push_back(afterglow.value_or(0.0));
         }
@@ -268,13 +271,13 @@ private:
     }
 
     void addFlicker(State& state, VariantResult& result, const Picture& shown,
-                    const Picture& reference, float renderScale) {
-        Plane error = difference(shown, reference, luma);
+                    const ReferencePair& reference, float renderScale) {
+        metrics::ErrorPair error = metrics::errorsOf(shown, reference, metrics::shownLuma);
         FrameMotion now = motionOf(m_device, state.frame.get(), m_render.size,
                                    renderScale == 0 ? 1.0f : renderScale);
-        if (!state.error.pixels.empty()) {
-            result.flicker.push_back(
-                metrics::flicker(error, state.error, &now.motion, &state.depth));
+        if (!state.error.a.pixels.empty()) {
+            result.squaredFlicker.push_back(
+                metrics::squaredFlicker(error, state.error, &now.motion, &state.depth));
         }
         state.error = std::move(error);
         state.depth = std::move(now.depth);
@@ -304,6 +307,14 @@ double meanFrom(const std::vector<double>& values, std::uint32_t first, std::uin
     }
     const auto from = values.begin() + static_cast<std::ptrdiff_t>(leave);
     return std::accumulate(from, values.end(), 0.0) / static_cast<double>(values.end() - from);
+}
+
+std::vector<double> rootsOf(const std::vector<double>& squares) {
+    std::vector<double> roots;
+    for (const double square : squares) {
+        roots.push_back(metrics::rootOf(square));
+    }
+    return roots;
 }
 
 }  // namespace gp::tool

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "animate/animate_settings.h"
-#include "metrics/picture.h"
-#include "metrics/temporal.h"
+#include "metrics/noisy_reference.h"
 
 namespace gp::tool {
 
@@ -38,8 +37,9 @@ struct EvaluateSettings {
 // All of one variant; a number for each frame.
 struct VariantResult {
     std::string name;
-    std::vector<double> milliseconds, rmse, ssim, flip;
-    std::vector<double> flicker;      // from the second frame on
+    // Squares are without the noise of the references, and may be negative.
+    std::vector<double> milliseconds, mse, ssim, flip;
+    std::vector<double> squaredFlicker;  // from the second frame on
     std::vector<double> afterglow;    // from the frame on in which the lamp is out
     metrics::Picture lastPicture;     // sRGB-encoded, 0..1
     metrics::Plane lastFlip;
@@ -47,17 +47,22 @@ struct VariantResult {
 
 struct Evaluation {
     std::vector<VariantResult> variants;
+    std::vector<metrics::ReferenceNoise> noise;  // of each frame's references
     metrics::Picture lastReference;   // sRGB-encoded, 0..1
     double exposureEv = 0;
     std::string device;
     bool lampShows = true;            // in the reference
 };
 
-// Pictures are compared as they are shown: exposed, tone mapped, 8 bits. Returns nothing when it
-// was interrupted. Throws RunError.
+// Pictures are compared as they are shown: exposed, tone mapped, 8 bits, with textures and all;
+// the reference is two pictures of half of the samples. Returns nothing when it was interrupted.
+// Throws RunError.
 std::optional<Evaluation> evaluateVariants(GpDevice device, const EvaluateSettings& settings);
 
 // The mean of the frames that count; `first` is the number of the first value's frame.
 double meanFrom(const std::vector<double>& values, std::uint32_t first, std::uint32_t skip);
+
+// The roots of squares, one by one.
+std::vector<double> rootsOf(const std::vector<double>& squares);
 
 }  // namespace gp::tool

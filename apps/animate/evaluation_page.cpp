@@ -61,6 +61,7 @@ struct Plot {
     const char* title;
     const std::vector<double> VariantResult::*values;
     std::uint32_t first;  // the frame of the first value
+    bool squares;         // whose roots are shown
 };
 
 // A line for each variant, frames to the right.
@@ -73,7 +74,8 @@ std::string plotFigure(const TemporaryFolder& folder, const Evaluation& e, const
     for (std::size_t v = 0; v < e.variants.size(); ++v) {
         const std::string file = fmt::format("data{}", v);
         std::string data;
-        const std::vector<double>& values = e.variants[v].*plot.values;
+        const std::vector<double>& all = e.variants[v].*plot.values;
+        const std::vector<double> values = plot.squares ? rootsOf(all) : all;
         for (std::size_t i = 0; i < values.size(); ++i) {
             data += fmt::format("{} {}\n", plot.first + i, values[i]);
         }
@@ -147,19 +149,20 @@ std::string evaluationHtml(GpDevice device, const Evaluation& e, const EvaluateS
     html += table(e, s);
     html += "<p>Pictures are compared as they are shown. RMSE is of linear values, SSIM and "
             "flicker of sRGB-encoded luma. Flicker: root mean square of how errors change along "
-            "the motion of what is seen.";
+            "the motion of what is seen. References are two pictures of half of the samples, so "
+            "that their noise averages out of all but FLIP.";
     if (s.lamp) {
         html += fmt::format(" Lag: frames after the lamp went out (frame {}) until less than "
                             "{:.0f} % of its light are left.", s.lamp->offFrame,
                             100 * EvaluateSettings::lagLimit);
     }
     html += "</p>\n";
-    std::vector<Plot> plots = {{"SSIM", &VariantResult::ssim, 0},
-                               {"FLIP", &VariantResult::flip, 0},
-                               {"RMSE", &VariantResult::rmse, 0},
-                               {"flicker", &VariantResult::flicker, 1}};
+    std::vector<Plot> plots = {{"SSIM", &VariantResult::ssim, 0, false},
+                               {"FLIP", &VariantResult::flip, 0, false},
+                               {"RMSE", &VariantResult::mse, 0, true},
+                               {"flicker", &VariantResult::squaredFlicker, 1, true}};
     if (s.lamp) {
-        plots.push_back({"afterglow", &VariantResult::afterglow, s.lamp->offFrame});
+        plots.push_back({"afterglow", &VariantResult::afterglow, s.lamp->offFrame, false});
     }
     for (const Plot& plot : plots) {
         html += plotFigure(folder, e, plot);

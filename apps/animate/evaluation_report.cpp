@@ -16,22 +16,32 @@ Json variantJson(const VariantResult& v, const EvaluateSettings& s, bool lampSho
     Json json;
     json["name"] = v.name;
     json["milliseconds"] = meanFrom(v.milliseconds, 0, s.skip);
-    json["rmse"] = meanFrom(v.rmse, 0, s.skip);
+    json["rmse"] = metrics::rootOf(meanFrom(v.mse, 0, s.skip));
     json["ssim"] = meanFrom(v.ssim, 0, s.skip);
     json["flip"] = meanFrom(v.flip, 0, s.skip);
-    json["flicker"] = meanFrom(v.flicker, 1, s.skip);
+    json["flicker"] = metrics::rootOf(meanFrom(v.squaredFlicker, 1, s.skip));
     if (s.lamp) {
         json["lag_frames"] = lampShows ? lagJson(v) : Json(nullptr);
     }
     Json& frames = json["per_frame"];
-    frames["rmse"] = v.rmse;
+    frames["rmse"] = rootsOf(v.mse);
     frames["ssim"] = v.ssim;
     frames["flip"] = v.flip;
-    frames["flicker"] = v.flicker;
+    frames["flicker"] = rootsOf(v.squaredFlicker);
     if (s.lamp) {
         frames["afterglow"] = v.afterglow;
     }
     return json;
+}
+
+// Of all frames that count.
+metrics::ReferenceNoise noiseOf(const Evaluation& e, const EvaluateSettings& s) {
+    std::vector<double> squares, ssim;
+    for (const metrics::ReferenceNoise& frame : e.noise) {
+        squares.push_back(frame.rmse * frame.rmse);
+        ssim.push_back(frame.ssim);
+    }
+    return {metrics::rootOf(meanFrom(squares, 0, s.skip)), meanFrom(ssim, 0, s.skip)};
 }
 
 }  // namespace
@@ -55,6 +65,8 @@ Json evaluationJson(const Evaluation& e, const EvaluateSettings& s) {
                         {"shows", e.lampShows},
                         {"lag_limit", EvaluateSettings::lagLimit}};
     }
+    const metrics::ReferenceNoise noise = noiseOf(e, s);
+    json["reference_noise"] = {{"rmse", noise.rmse}, {"ssim", noise.ssim}};
     json["variants"] = Json::array();
     for (const VariantResult& variant : e.variants) {
         json["variants"].push_back(variantJson(variant, s, e.lampShows));
@@ -83,7 +95,10 @@ std::string evaluationText(const Evaluation& e, const EvaluateSettings& s) {
         }
         text += '\n';
     }
-    return text;
+    const Json& noise = json["reference_noise"];
+    return text + fmt::format("noise of the references, which RMSE, SSIM and flicker leave out: "
+                              "RMSE {:.4f}, SSIM of their halves {:.4f}\n",
+                              noise["rmse"].get<double>(), noise["ssim"].get<double>());
 }
 
 }  // namespace gp::tool

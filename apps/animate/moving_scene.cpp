@@ -92,6 +92,9 @@ std::optional<double> exposureOf(GpDevice device, MovingScene& moving,
     if (settings.render.exposureEv) {
         return settings.render.exposureEv;
     }
+    if (settings.adapts()) {
+        return 0.0;
+    }
     RenderSettings small = settings.render;
     const double shrink = std::min(1.0, double(kExposureWidth) / small.size.width);
     small.size.width = std::max(1u, std::uint32_t(std::lround(small.size.width * shrink)));

@@ -30,9 +30,13 @@ glm::dvec3 meanColor(const Picture& picture) {
 }
 
 double meanSquaredError(const Picture& a, const Picture& b) {
-    return meanOfChannels(meanOver(a, [&](int x, int y) {
-        const glm::dvec3 d = glm::dvec3(a.at(x, y)) - glm::dvec3(b.at(x, y));
-        return d * d;
+    return meanSquaredError(a, b, b);
+}
+
+double meanSquaredError(const Picture& test, const Picture& a, const Picture& b) {
+    return meanOfChannels(meanOver(test, [&](int x, int y) {
+        const glm::dvec3 t(test.at(x, y));
+        return (t - glm::dvec3(a.at(x, y))) * (t - glm::dvec3(b.at(x, y)));
     }));
 }
 

@@ -12,4 +12,10 @@ namespace gp::metrics {
 // windows that lie wholly inside; a picture smaller than one window is extended at its border.
 double ssim(const Plane& a, const Plane& b);
 
+// The same against what two references are noisy pictures of, each with noise of its own: mean
+// values and variances of the reference are products of the two, so that its noise, which is none
+// of the test picture's fault, has no part in them. (Variances that come out clearly negative are
+// cut, which makes the number a little smaller.)
+double ssim(const Plane& test, const Plane& referenceA, const Plane& referenceB);
+
 }  // namespace gp::metrics

@@ -41,35 +41,39 @@ bool wasSeen(const Motion& motion, const Plane& previousSeen, std::size_t index,
 
 }  // namespace
 
-double flicker(const Plane& error, const Plane& previousError, const Motion* motion,
-               const Plane* previousSeen) {
-    const glm::dvec2 sum = sumOverRows<glm::dvec2>(error.height, [&](int y) {
+double squaredFlicker(const ErrorPair& error, const ErrorPair& previousError, const Motion* motion,
+                      const Plane* previousSeen) {
+    const glm::dvec2 sum = sumOverRows<glm::dvec2>(error.a.height, [&](int y) {
         glm::dvec2 row(0.0);  // squares, pixels
-        for (int x = 0; x < error.width; ++x) {
+        for (int x = 0; x < error.a.width; ++x) {
             glm::vec2 at(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-            const std::size_t index = error.index(x, y);
+            const std::size_t index = error.a.index(x, y);
             if (motion != nullptr) {
                 at += motion->toPrevious.pixels[index];
             }
-            const std::optional<float> before = interpolated(previousError, at);
-            const bool hidden = motion != nullptr && previousSeen != nullptr && before &&
+            const std::optional<float> beforeA = interpolated(previousError.a, at);
+            const std::optional<float> beforeB = interpolated(previousError.b, at);
+            const bool hidden = motion != nullptr && previousSeen != nullptr && beforeA &&
                                 !wasSeen(*motion, *previousSeen, index, at);
-            if (before && !hidden) {
-                const double change = double(error.pixels[index]) - double(*before);
-                row += glm::dvec2(change * change, 1.0);
+            if (beforeA && beforeB && !hidden) {
+                const double changeA = double(error.a.pixels[index]) - double(*beforeA);
+                const double changeB = double(error.b.pixels[index]) - double(*beforeB);
+                row += glm::dvec2(changeA * changeB, 1.0);
             }
         }
         return row;
     });
-    return sum.y > 0 ? std::sqrt(sum.x / sum.y) : 0.0;
+    return sum.y > 0 ? sum.x / sum.y : 0.0;
 }
 
-std::optional<double> afterglow(const Plane& error, const Plane& step) {
-    const glm::dvec2 sum = sumOverRows<glm::dvec2>(step.height, [&](int y) {
+std::optional<double> afterglow(const ErrorPair& error, const ErrorPair& step) {
+    const glm::dvec2 sum = sumOverRows<glm::dvec2>(step.a.height, [&](int y) {
         glm::dvec2 row(0.0);
-        for (int x = 0; x < step.width; ++x) {
-            const double s = step.at(x, y);
-            row += glm::dvec2(double(error.at(x, y)) * s, s * s);
+        for (int x = 0; x < step.a.width; ++x) {
+            const double a = step.a.at(x, y);
+            const double b = step.b.at(x, y);
+            row += glm::dvec2(0.5 * (double(error.a.at(x, y)) * b + double(error.b.at(x, y)) * a),
+                              a * b);
         }
         return row;
     });

@@ -18,20 +18,28 @@ struct Motion {
     Plane slope;          // metres by which depth changes to the next pixel
 };
 
-// The root mean square, over all pixels, of error(p) - previousError(where p was): errors that move
-// along with the surfaces do not flicker, however large they are; white noise of deviation s that
-// is new in each frame flickers by s * sqrt(2) (less where motion falls between pixels, since the
-// previous error is interpolated). Pixels that were outside of the picture do not count, nor those
-// that were hidden: previousSeen, the depths of the frame before, has others there. Without motion
-// (null) everything is taken to have been in its place. 0 where no pixel counts.
-double flicker(const Plane& error, const Plane& previousError, const Motion* motion = nullptr,
-               const Plane* previousSeen = nullptr);
+// The errors of one picture against two references whose noise is independent. The product of both
+// is on average the square of the error against what the references would be without noise.
+struct ErrorPair {
+    Plane a, b;
+};
+
+// The mean square, over all pixels, of error(p) - previousError(where p was), without the noise of
+// the references: errors that move along with the surfaces do not flicker, however large they are;
+// white noise of deviation s of the picture, new in each frame, flickers by 2 s^2 (less where
+// motion falls between pixels, since the previous error is interpolated). Pixels that were outside
+// of the picture do not count, nor those that were hidden: previousSeen, the depths of the frame
+// before, has others there. Without motion (null) everything is taken to have been in its place.
+// 0 where no pixel counts; may be negative where there is little but noise of the references.
+double squaredFlicker(const ErrorPair& error, const ErrorPair& previousError,
+                      const Motion* motion = nullptr, const Plane* previousSeen = nullptr);
 
 // How much of a light that has gone out a picture still shows: error * step / step^2, summed over
 // all pixels, where `error` is the picture minus what it should be, and `step` what it should be
 // with the light minus what it should be. 1: all of it, 0: nothing; noise that knows nothing of the
-// light averages out. None where the light does not show at all.
-std::optional<double> afterglow(const Plane& error, const Plane& step);
+// light averages out, also that of the references, since errors are multiplied with the steps of
+// the other reference. None where the light does not show at all.
+std::optional<double> afterglow(const ErrorPair& error, const ErrorPair& step);
 
 // The number of the first of these frames from which on the afterglow, whatever its sign, stays
 // below `limit`; 0: at once. None where the last one is still above.

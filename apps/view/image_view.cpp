@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "metrics/color.h"
+#include "metrics/magma.h"
 #include "picture_grid.h"
 
 namespace gp::tool::view {
@@ -31,11 +32,14 @@ constexpr NamedScale kScales[] = {
     {"specular_albedo", ImageScale::light},  {"specular", ImageScale::light},
     {"direct_history", ImageScale::light},   {"specular_history", ImageScale::light},
     {"direct_other", ImageScale::light},     {"specular_other", ImageScale::light},
-    {"output", ImageScale::light}};
+    {"output", ImageScale::light},           {"heat_rays", ImageScale::heat},
+    {"heat_time", ImageScale::heat},         {"heat_variance", ImageScale::heat}};
 
 // Depth is shown between these, so that one far pixel does not make all others white.
 constexpr double kNearQuantile = 0.01;
 constexpr double kFarQuantile = 0.99;
+// The same for heat: what was interrupted, or is lit by chance, would make all else black.
+constexpr double kHeatQuantile = 0.99;
 // The farthest surface is a dark grey: black means that nothing is there.
 constexpr float kFarGrey = 0.08f;
 
@@ -118,6 +122,23 @@ void putRange(Pixels& out, const float* values, std::size_t count, std::size_t c
     }
 }
 
+// A variance spans powers of ten; its root is what a person sees as noise.
+bool isVariance(std::string_view name) {
+    return name == "heat_variance";
+}
+
+float heatOf(std::string_view name, float value) {
+    const float finiteValue = std::isfinite(value) ? std::max(value, 0.0f) : 0.0f;
+    return isVariance(name) ? std::sqrt(finiteValue) : finiteValue;
+}
+
+void putHeat(Pixels& out, const std::string& name, const float* rgba, std::size_t count) {
+    const float high = heatScaleOf(name, rgba, count).high;
+    for (std::size_t i = 0; i < count; ++i) {
+        put(out, heatColor(high > 0 ? heatOf(name, rgba[4 * i]) / high : 0.0f));
+    }
+}
+
 glm::vec3 visible(ImageScale scale, const glm::vec3& value, float factor) {
     switch (scale) {
         case ImageScale::light: return encoded(factor * value);
@@ -152,6 +173,7 @@ std::string explanationOf(ImageScale scale) {
         case ImageScale::direction: return "-1..1 as black to full";
         case ImageScale::distance: return "near is bright, on a scale of powers";
         case ImageScale::number: return "a colour for each number";
+        case ImageScale::heat: return "black is nothing, light yellow the most";
         case ImageScale::range: return "grey is 0, the largest value is full";
     }
     return "";
@@ -200,6 +222,24 @@ std::vector<std::string> imageNames() {
     return names;
 }
 
+bool needsHeatMaps(const std::string& name) {
+    return name == "heat_rays" || name == "heat_time";
+}
+
+HeatScale heatScaleOf(const std::string& name, const float* rgba, std::size_t count) {
+    std::vector<float> values(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        values[i] = heatOf(name, rgba[4 * i]);
+    }
+    const float high = values.empty() ? 0.0f : quantile(values, kHeatQuantile);
+    const bool isTime = name == "heat_time";
+    return {high, isVariance(name) ? "deviation of luminance" : isTime ? "microseconds" : "rays"};
+}
+
+glm::vec3 heatColor(float t) {
+    return metrics::magmaSrgb(t);
+}
+
 bool hasImage(GpFrameMode mode, const ImageName& image) {
     return mode == GP_MODE_REALTIME ? image.kind != GP_IMAGE_VARIANCE : image.kind.has_value();
 }
@@ -221,6 +261,8 @@ std::vector<std::uint8_t> visiblePixels(const GpImageInfo& info, const void* byt
                       [&out](std::uint32_t number) { put(out, colorOfNumber(number)); });
     } else if (scale == ImageScale::distance && info.format == GP_IMAGE_R32F) {
         putDepths(out, static_cast<const float*>(bytes), count);
+    } else if (scale == ImageScale::heat) {
+        putHeat(out, info.name, static_cast<const float*>(bytes), count);
     } else if (scale == ImageScale::range || info.format == GP_IMAGE_R32F) {
         putRange(out, static_cast<const float*>(bytes), count,
                  info.format == GP_IMAGE_R32F ? 1 : 4);

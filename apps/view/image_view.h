@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ enum class ImageScale {
     direction,  // -1..1 to 0..1; no direction is black
     distance,   // logarithmic, near is bright, nothing is black
     number,     // a colour for each number, 0 is black
+    heat,       // what a pixel costs, from black over red to yellow
     range       // whatever else: the largest magnitude is full scale, 0 is middle grey
 };
 
@@ -39,8 +41,20 @@ const std::vector<ImageName>& allImages();
 // Nothing where there is none of this name.
 const ImageName* imageNamed(const std::string& name);
 std::vector<std::string> imageNames();
+// Whether frames have it only where it was asked for (GpRealtimeOptions::heatMaps).
+bool needsHeatMaps(const std::string& name);
 // Whether frames of this mode have it.
 bool hasImage(GpFrameMode mode, const ImageName& image);
+
+// What the brightest colour of ImageScale::heat stands for; black is 0.
+struct HeatScale {
+    float high = 0;
+    std::string unit;  // for people: "rays", ...
+};
+// `rgba` are the numbers of `count` pixels; one pixel in a hundred may have more than `high`.
+HeatScale heatScaleOf(const std::string& name, const float* rgba, std::size_t count);
+// The colour of a value that is `t` (0..1) of `high`, sRGB.
+glm::vec3 heatColor(float t);
 
 // RGBA8, opaque. `bytes` are those of gpReadFrameImage for `count` pixels. exposureEv counts for
 // light and deviation, except for reflectance, which never is brighter than 1.

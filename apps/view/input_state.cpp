@@ -22,6 +22,7 @@ const std::vector<KeyInfo>& allKeys() {
         {Key::nextCamera, "C", "the file's next camera"},
         {Key::level, "L", "level the horizon"},
         {Key::reference, "P", "progressive reference at rest, on and off"},
+        {Key::beside, "B", "reference beside the picture, on and off"},
         {Key::panels, "Tab", "panels, on and off"},
         {Key::screenshot, "F12", "save the picture"},
         {Key::quit, "Escape", "end"}};
@@ -83,6 +84,7 @@ FrameInput InputState::take() {
     if (m_isDrag) {  // with what came before it was known to be one
         frame.drag = m_dragged;
         m_dragged = glm::vec2(0.0f);
+        frame.dragFrom = m_pressedAt;
     }
     frame.wheel = m_wheel;
     frame.clicked = m_clicked;

@@ -13,7 +13,7 @@ namespace gp::tool::view {
 enum class Key {
     forward, back, left, right, up, down, fast,           // held
     wholeScene, startView, nextCamera, level, reference,  // pressed
-    panels, screenshot, quit
+    beside, panels, screenshot, quit
 };
 
 struct KeyInfo {
@@ -32,6 +32,7 @@ struct FrameInput {
     glm::vec3 move{0.0f};   // right, up, forward: -1..1 each
     bool fast = false;
     glm::vec2 drag{0.0f};   // pixels right and down, of a drag that began on the picture
+    std::optional<glm::vec2> dragFrom;  // where it began, as long as it goes on
     float wheel = 0;        // over the picture
     bool clicked = false;   // on the picture, without a drag
     glm::vec2 mouse{-1.0f}; // pixels from the window's corner

@@ -9,11 +9,20 @@ namespace {
 // Wider than what frames of the same size differ by, so that the size does not swing.
 constexpr double kTooSlow = 1.15;
 constexpr double kQuickEnough = 0.9;
+constexpr double kLeastRenderScale = 0.5;  // of the library
 
 }  // namespace
 
-double ResolutionController::scaleOf(int step) {
-    return std::exp2(-0.25 * step);
+double ResolutionController::scaleOf(int step) const {
+    return std::min(std::exp2(-0.25 * step), m_mostRenderScale.value_or(1.0));
+}
+
+double ResolutionController::renderScale() const {
+    return m_mostRenderScale ? std::max(scale(), kLeastRenderScale) : 1.0;
+}
+
+double ResolutionController::sizeScale() const {
+    return m_mostRenderScale ? std::min(scale() / kLeastRenderScale, 1.0) : scale();
 }
 
 void ResolutionController::record(double seconds) {
@@ -41,7 +50,7 @@ void ResolutionController::record(double seconds) {
 
 RenderSize ResolutionController::sizeFor(RenderSize full) const {
     const auto scaled = [this](std::uint32_t side) {
-        const double pixels = std::round(static_cast<double>(side) * scale());
+        const double pixels = std::round(static_cast<double>(side) * sizeScale());
         return std::max(static_cast<std::uint32_t>(pixels), std::min(side, 16u));
     };
     return {scaled(full.width), scaled(full.height)};

@@ -28,7 +28,16 @@ GpLightDesc lampDesc(const HandLamp& lamp, const GpCameraDesc& camera) {
 
 }  // namespace
 
+SceneEdits::~SceneEdits() {
+    for (GpLight light : m_lightHandles) {
+        if (light != nullptr) {
+            gpReleaseLight(light);  // it stays in its scene
+        }
+    }
+}
+
 void SceneEdits::apply(const ViewChoices& choices) {
+    applyLights(choices.lights);  // first: another sky would give the file's lights other numbers
     applySurroundings(choices.surroundings);
     applyLamp(choices.lamp, choices.camera);
 }
@@ -49,6 +58,53 @@ void SceneEdits::applySurroundings(const Surroundings& wanted) {
         m_scene.restoreSurroundings();
     }
     m_surroundings = wanted;
+}
+
+// Before anything of ours is in the scene the file's lights stand in it by their number.
+void SceneEdits::takeHandles(const std::vector<SceneLight>& wanted) {
+    for (std::size_t i = m_lightHandles.size(); i < wanted.size() && !wanted[i].isOurs; ++i) {
+        GpLightDesc desc{};
+        GpLight handle = nullptr;
+        check(m_scene.device, gpGetSceneLight(m_scene.scene, static_cast<std::uint32_t>(i), &desc,
+                                              &handle));
+        m_lightHandles.push_back(handle);
+    }
+}
+
+void SceneEdits::applyLights(const SceneLights& wanted) {
+    if (wanted == m_lights || wanted == nullptr) {
+        return;
+    }
+    if (m_lights == nullptr) {
+        takeHandles(*wanted);
+    }
+    for (std::size_t i = 0; i < wanted->size(); ++i) {
+        applyLight(i, (*wanted)[i]);
+    }
+    m_lights = wanted;
+}
+
+void SceneEdits::applyLight(std::size_t i, const SceneLight& wanted) {
+    const SceneLight* present = m_lights && i < m_lights->size() ? &(*m_lights)[i] : nullptr;
+    if (present != nullptr && *present == wanted) {
+        return;
+    }
+    m_lightHandles.resize(std::max(m_lightHandles.size(), i + 1), nullptr);
+    GpLight& handle = m_lightHandles[i];
+    const GpLightDesc desc = wanted.shown();
+    if (wanted.isRemoved) {
+        if (handle != nullptr) {
+            check(m_scene.device, gpRemoveLight(handle));
+            handle = nullptr;
+        }
+    } else if (handle != nullptr) {
+        check(m_scene.device, gpSetLight(handle, &desc));
+    } else {
+        handle = gpNewLight(m_scene.scene, &desc);
+        if (handle == nullptr) {
+            check(m_scene.device, GP_ERROR_UNKNOWN);
+        }
+    }
 }
 
 void SceneEdits::applyLamp(const HandLamp& wanted, const GpCameraDesc& camera) {

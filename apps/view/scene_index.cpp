@@ -106,20 +106,6 @@ std::optional<PickedThing> SceneIndex::thingAt(std::uint32_t id) const {
     return thing;
 }
 
-std::vector<LightRow> SceneIndex::lights() const {
-    std::vector<LightRow> rows;
-    for (const Json& light : m_description.value("lights", Json::array())) {
-        LightRow row{light.value("name", ""), light.value("kind", ""), {}};
-        Json rest = light;
-        for (const char* key : {"name", "kind", "id"}) {
-            rest.erase(key);
-        }
-        flatten(rest, "", row.facts);
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
-
 std::vector<std::string> SceneIndex::cameras() const {
     std::vector<std::string> names;
     for (const Json& camera : m_description.value("cameras", Json::array())) {

@@ -20,11 +20,6 @@ struct PickedThing {
     std::vector<Row> parameters; // as gpDescribeScene tells them
 };
 
-struct LightRow {
-    std::string name, kind;
-    std::vector<Row> facts;
-};
-
 // What the library tells about a scene, by number.
 class SceneIndex {
 public:
@@ -34,7 +29,6 @@ public:
 
     // id: a value of GP_IMAGE_INSTANCE; nothing for 0, and for numbers of no instance.
     std::optional<PickedThing> thingAt(std::uint32_t id) const;
-    std::vector<LightRow> lights() const;
     std::vector<std::string> cameras() const;  // their names, "" for those without
 
 private:

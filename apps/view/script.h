@@ -10,7 +10,7 @@ namespace gp::tool::view {
 
 enum class ScriptVerb {
     wait,     // N: so many frames of the window
-    settle,   // N: until the picture at rest has N samples a pixel, a minute at most
+    settle,   // N: until the picture at rest, or that beside, has N samples, a minute at most
     live,     // N: until N more live frames have been shown, a minute at most
     press,    // KEY: hold it down
     release,  // KEY
@@ -42,7 +42,7 @@ std::vector<ScriptCommand> parseScript(const std::string& text, const std::strin
 struct ScriptWorld {
     double seconds = 0;              // any clock
     std::uint64_t liveFrames = 0;    // shown since the start
-    std::uint32_t samplesAtRest = 0; // of the picture shown; 0: it is none at rest
+    std::uint32_t samplesAtRest = 0; // of the picture shown, or beside it; 0: it is none at rest
     bool saving = false;             // a file is being written
 };
 

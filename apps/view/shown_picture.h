@@ -4,10 +4,12 @@
 #include <glitterpath/glitterpath.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "view/image_view.h"
 #include "view/resolution_controller.h"
 
 namespace gp::tool::view {
@@ -21,6 +23,10 @@ struct ShownPicture {
     std::vector<std::uint32_t> ids;    // GP_IMAGE_INSTANCE
     bool atRest = false;
     double scale = 1;                  // of each side
+    double renderScale = 1;            // rays along each side for a pixel of it
+    std::uint32_t samplesBeside = 0;   // of the reference at the right; 0: there is none
+    double rmseBeside = 0;             // between the two: of sRGB values, 0..1
+    std::optional<HeatScale> heat;     // where a heat map is shown
     float exposureEv = 0;
     std::string note;                  // where what was wished for is not what is shown
     std::vector<std::pair<std::string, double>> passes;  // milliseconds; of real time

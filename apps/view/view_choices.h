@@ -4,9 +4,11 @@
 #include <glitterpath/glitterpath.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "view/resolution_controller.h"
+#include "view/scene_lights.h"
 
 namespace gp::tool::view {
 
@@ -17,9 +19,20 @@ enum class LiveMode {
     local      // the picture of a rasteriser (GP_MODE_LOCAL)
 };
 
+// GpEyeAdaptation; the exposure of the viewer has no say while it is on.
+struct EyeChoices {
+    float seconds = 0;                        // 0: off
+    float evMin = -10, evMax = 10;
+    friend bool operator==(const EyeChoices&, const EyeChoices&) = default;
+};
+
 // What only LiveMode::realtime has.
 struct RealtimeChoices {
-    float renderScale = 1;                    // GpRealtimeOptions::renderScale
+    float renderScale = 1;                    // at most; less where time is short
+    GpDenoiser denoiser = GP_DENOISER_ASVGF;
+    GpLightReuse lightReuse = GP_REUSE_NONE, indirectReuse = GP_REUSE_NONE;
+    std::map<std::string, float> numbers;     // of the denoisers, those that are not by default
+    EyeChoices eye;
     GpAntiAliasing antiAliasing = GP_AA_TEMPORAL;
     std::int32_t bounces = 1, mirrors = 4;    // 0 = none
     std::uint64_t cuts = 0;                   // one more for each jump: history is forgotten
@@ -52,15 +65,20 @@ struct ViewChoices {
     double liveSeconds = 1.0 / 30.0;
     Surroundings surroundings;
     HandLamp lamp;
+    SceneLights lights;           // null: as they were loaded
+    bool beside = false;          // left of the divider the live picture, right of it the reference
     bool reference = false;       // at rest: add samples until there are this many
     std::uint32_t mostSamples = 4096;
     // How it is shown.
     std::string image = "display";
+    float divider = 0.5f;         // 0..1 of the picture's width
     bool autoExposure = true;
     float exposureEv = 0;
     GpTonemap tonemap = GP_TONEMAP_AGX;
 };
 
+// Whether the exposure is that of the real-time frame itself.
+bool eyeDecides(const ViewChoices& choices);
 // Whether the same samples serve both.
 bool sameView(const ViewChoices& a, const ViewChoices& b);
 // Whether everything is the same.

@@ -1,7 +1,5 @@
 #include "view/view_frames.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -12,6 +10,9 @@ namespace {
 
 // Between two pictures at rest: short enough to see it clear up, long enough to cost nothing.
 constexpr double kSecondsAtRest = 0.25;
+// Between two live frames, for eyes that adapt: not a pause of a person.
+constexpr double kShortestStep = 1.0e-3;
+constexpr double kLongestStep = 1.0;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -32,26 +33,30 @@ std::int32_t libraryCount(std::int32_t count) {
     return count == 0 ? GP_NO_BOUNCES : count;
 }
 
-void addRealtimeOptions(const RealtimeChoices& choices, bool isCut, GpRenderOptions& options) {
+std::vector<GpDenoiserParameter> parametersOf(const RealtimeChoices& choices) {
+    std::vector<GpDenoiserParameter> parameters;
+    for (const auto& [name, value] : choices.numbers) {
+        parameters.push_back({name.c_str(), value});
+    }
+    return parameters;
+}
+
+// `parameters` must live until the frame is there.
+void addRealtimeOptions(const RealtimeChoices& choices, bool isCut,
+                        const std::vector<GpDenoiserParameter>& parameters,
+                        GpRenderOptions& options) {
+    options.realtime.denoiser = choices.denoiser;
+    options.realtime.lightReuse = choices.lightReuse;
+    options.realtime.indirectReuse = choices.indirectReuse;
+    options.realtime.parameters = parameters.data();
+    options.realtime.parameterCount = static_cast<std::uint32_t>(parameters.size());
+    options.realtime.eyeAdaptation.seconds = choices.eye.seconds;
+    options.realtime.eyeAdaptation.evMin = choices.eye.evMin;
+    options.realtime.eyeAdaptation.evMax = choices.eye.evMax;
     options.maxBounces = libraryCount(choices.bounces);
     options.realtime.resetHistory = isCut ? 1 : 0;
     options.realtime.antiAliasing = choices.antiAliasing;
-    options.realtime.renderScale = choices.renderScale;
     options.realtime.mirrorLimit = libraryCount(choices.mirrors);
-}
-
-void readPasses(GpDevice device, GpFrame frame, ShownPicture& picture) {
-    std::uint32_t count = 0;
-    check(device, gpGetPassTimes(frame, nullptr, 0, &count));
-    std::vector<GpPassTime> times(count);
-    check(device, gpGetPassTimes(frame, times.data(), count, &count));
-    for (const GpPassTime& time : times) {
-        picture.passes.emplace_back(time.name, time.milliseconds);
-    }
-}
-
-std::size_t pixelCount(RenderSize size) {
-    return static_cast<std::size_t>(size.width) * size.height;
 }
 
 }  // namespace
@@ -72,7 +77,10 @@ void ViewFrames::prepare(SizedFrame& frame, RenderSize size, GpFrameMode mode) {
 
 void ViewFrames::renderLive(GpScene scene, const ViewChoices& choices) {
     m_liveStart = now();
+    const bool isRealtime = choices.live == LiveMode::realtime;
     m_controller.setTarget(choices.liveSeconds);
+    m_controller.setMostRenderScale(
+        isRealtime ? std::optional<double>(choices.realtime.renderScale) : std::nullopt);
     m_showsRest = false;
     m_samplesAtRest = 0;
     prepare(m_live, m_controller.sizeFor(choices.size), frameModeOf(choices.live));
@@ -81,9 +89,15 @@ void ViewFrames::renderLive(GpScene scene, const ViewChoices& choices) {
     options.seed = ++m_liveFrames;  // the same noise in every frame would look like dirt
     options.exposureEv = choices.exposureEv;
     options.tonemap = choices.tonemap;
-    if (choices.live == LiveMode::realtime) {
-        addRealtimeOptions(choices.realtime, choices.realtime.cuts != m_cuts, options);
+    const std::vector<GpDenoiserParameter> parameters = parametersOf(choices.realtime);
+    if (isRealtime) {
+        addRealtimeOptions(choices.realtime, choices.realtime.cuts != m_cuts, parameters, options);
+        options.realtime.renderScale = static_cast<float>(m_controller.renderScale());
+        options.realtime.heatMaps = needsHeatMaps(choices.image) ? 1 : 0;
+        options.realtime.timeStep = static_cast<float>(
+            std::clamp(m_liveStart - m_lastLiveStart, kShortestStep, kLongestStep));
     }
+    m_lastLiveStart = m_liveStart;
     m_cuts = choices.realtime.cuts;
     check(m_device, gpRender(m_live.frame.get(), scene, &choices.camera, &options));
     GpFrameStatistics statistics{};
@@ -98,76 +112,60 @@ double ViewFrames::noteLiveTime() {
     return m_secondsFrame;
 }
 
-bool ViewFrames::renderAtRest(GpScene scene, const ViewChoices& choices,
-                              GpProgressCallback progress, void* user, bool anew) {
-    prepare(m_rest, choices.size, GP_MODE_REFERENCE);
+// Returns how many there are now. The first sample comes as soon as it is there.
+std::uint32_t ViewFrames::addSamples(const SizedFrame& frame, GpScene scene,
+                                     const ViewChoices& choices, std::uint32_t samples, bool anew,
+                                     double seconds, GpProgressCallback progress, void* user) {
     GpRenderOptions options{};
     options.accumulate = anew ? 0 : 1;
     options.exposureEv = choices.exposureEv;
     options.tonemap = choices.tonemap;
     options.progress = progress;
     options.progressUser = user;
-    // The first sample as soon as it is there.
-    const bool first = m_samplesAtRest == 0;
-    options.samplesPerPixel = first ? 1 : choices.mostSamples - m_samplesAtRest;
-    options.timeLimit = first ? 0.0 : kSecondsAtRest;
-    const GpError error = gpRender(m_rest.frame.get(), scene, &choices.camera, &options);
+    const bool first = samples == 0;
+    options.samplesPerPixel = first ? 1 : choices.mostSamples - samples;
+    options.timeLimit = first ? 0.0 : seconds;
+    const GpError error = gpRender(frame.frame.get(), scene, &choices.camera, &options);
     if (error == GP_ERROR_CANCELLED) {
         gpGetError(m_device, nullptr);  // it is no failure, so nobody shall find it later
     } else {
         check(m_device, error);
     }
     GpFrameStatistics statistics{};
-    check(m_device, gpGetFrameStatistics(m_rest.frame.get(), &statistics));
-    m_samplesAtRest = statistics.samplesPerPixel;
+    check(m_device, gpGetFrameStatistics(frame.frame.get(), &statistics));
+    return statistics.samplesPerPixel;
+}
+
+bool ViewFrames::renderAtRest(GpScene scene, const ViewChoices& choices,
+                              GpProgressCallback progress, void* user, bool anew) {
+    prepare(m_rest, choices.size, GP_MODE_REFERENCE);
+    m_samplesAtRest = addSamples(m_rest, scene, choices, m_samplesAtRest, anew, kSecondsAtRest,
+                                 progress, user);
     m_showsRest = m_samplesAtRest > 0;
     return m_showsRest;
 }
 
-std::vector<float> ViewFrames::readColor() const {
-    std::vector<float> rgba(4 * pixelCount(shownSize()));
-    check(m_device, gpReadFrameImage(shown(), GP_IMAGE_COLOR, rgba.data(),
-                                     rgba.size() * sizeof(float)));
-    return rgba;
+void ViewFrames::renderBeside(GpScene scene, const ViewChoices& choices,
+                              GpProgressCallback progress, void* user, bool anew) {
+    const bool isOther = m_beside.size != m_live.size;
+    prepare(m_beside, m_live.size, GP_MODE_REFERENCE);
+    // As much time as the live frame had: both go on.
+    m_samplesBeside = addSamples(m_beside, scene, choices, isOther ? 0 : m_samplesBeside,
+                                 anew || isOther, std::min(m_secondsFrame, kSecondsAtRest),
+                                 progress, user);
 }
 
-std::uint32_t ViewFrames::layersOfShown() const {
-    std::uint32_t layers = 0;
-    for (const ImageName& image : allImages()) {
-        const bool isLayer = image.kind && image.kind != GP_IMAGE_COLOR &&
-                             image.kind != GP_IMAGE_DISPLAY;
-        if (isLayer && hasImage(shownFrame().mode, image)) {
-            layers |= 1u << *image.kind;
-        }
+void ViewFrames::tonemap(float ev, GpTonemap curve) const {
+    check(m_device, gpTonemapFrame(shown(), ev, curve));
+    if (!m_showsRest && samplesBeside() > 0) {
+        check(m_device, gpTonemapFrame(m_beside.frame.get(), ev, curve));
     }
-    return layers;
 }
 
-ShownPicture ViewFrames::read(const std::string& name, float ev) const {
-    ShownPicture picture;
-    picture.size = shownSize();
-    const std::size_t count = pixelCount(picture.size);
-    const ImageName* image = imageNamed(name);
-    if (image == nullptr || !hasImage(shownFrame().mode, *image)) {
-        picture.note = fmt::format("{}: not in this mode; this is the display", name);
-        image = imageNamed("display");
-    }
-    std::vector<std::byte> bytes(count * image->info.bytesPerPixel);
-    check(m_device, image->kind
-                        ? gpReadFrameImage(shown(), *image->kind, bytes.data(), bytes.size())
-                        : gpReadFrameLayer(shown(), image->info.name,
-                                           reinterpret_cast<float*>(bytes.data()), bytes.size()));
-    picture.rgba = visiblePixels(image->info, bytes.data(), count, ev);
-    picture.ids.resize(count);
-    check(m_device, gpReadFrameImage(shown(), GP_IMAGE_INSTANCE, picture.ids.data(),
-                                     count * sizeof(std::uint32_t)));
-    readPasses(m_device, shown(), picture);
-    picture.liveFrames = m_liveFrames;
-    picture.atRest = m_showsRest;
-    picture.scale = m_showsRest ? 1.0 : m_controller.scale();
-    picture.secondsFrame = m_secondsFrame;
-    check(m_device, gpGetFrameStatistics(shown(), &picture.statistics));
-    return picture;
+float ViewFrames::exposureOfLive() const {
+    GpFrameStatistics statistics{};
+    check(m_device, gpGetFrameStatistics(m_live.frame.get(), &statistics));
+    return statistics.exposureEv;
 }
 
 }  // namespace gp::tool::view

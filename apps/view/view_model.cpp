@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tool_error.h"
 
@@ -26,7 +27,9 @@ void ViewModel::advance(const FrameInput& input, double seconds, const PictureAr
     }
     const auto step = static_cast<float>(std::clamp(seconds, 0.0, kLongestStep));
     m_camera.move(input.move, step, input.fast);
-    m_camera.turn(input.drag.x, input.drag.y, area.height);
+    if (!dragDivider(input, area)) {
+        m_camera.turn(input.drag.x, input.drag.y, area.height);
+    }
     m_camera.changeSpeed(input.wheel);
     pick(input, area);
 }
@@ -38,6 +41,7 @@ void ViewModel::press(Key key) {
         case Key::nextCamera: nextCamera(); break;
         case Key::level: m_camera.levelOut(); break;
         case Key::reference: m_choices.reference = !m_choices.reference; break;
+        case Key::beside: m_choices.beside = !m_choices.beside; break;
         case Key::panels: m_showsPanels = !m_showsPanels; break;
         case Key::screenshot: requestScreenshot(); break;
         case Key::quit: m_quit = true; break;
@@ -72,6 +76,51 @@ void ViewModel::goToCamera(std::size_t index) {
     }
     goTo(m_facts.cameras[index]);
     m_nextCamera = index + 1;
+}
+
+bool ViewModel::dragDivider(const FrameInput& input, const PictureArea& area) {
+    if (!input.dragFrom || !m_choices.beside) {
+        m_dividerDrag.reset();
+        return false;
+    }
+    const float line = area.x + m_choices.divider * area.width;
+    if (m_dividerDrag != input.dragFrom) {
+        m_dividerDrag.reset();
+        if (std::abs(input.dragFrom->x - line) > kDividerReach) {
+            return false;
+        }
+        m_dividerDrag = input.dragFrom;
+    }
+    m_choices.divider =
+        std::clamp((input.mouse.x - area.x) / std::max(area.width, 1.0f), 0.0f, 1.0f);
+    return true;
+}
+
+const std::vector<SceneLight>& ViewModel::lights() const {
+    static const std::vector<SceneLight> none;
+    const SceneLights& present = m_choices.lights ? m_choices.lights : m_facts.lights;
+    return present ? *present : none;
+}
+
+void ViewModel::changeLight(std::size_t index, const std::function<void(SceneLight&)>& change) {
+    const std::vector<SceneLight>& present = lights();
+    if (index >= present.size() || present[index].isRemoved) {
+        throw UsageError(fmt::format("light: there is no {}", index));
+    }
+    SceneLight changed = present[index];
+    change(changed);
+    if (changed == present[index]) {
+        return;
+    }
+    auto all = std::make_shared<std::vector<SceneLight>>(present);
+    (*all)[index] = std::move(changed);
+    m_choices.lights = std::move(all);
+}
+
+void ViewModel::addLight(GpLightKind kind) {
+    auto all = std::make_shared<std::vector<SceneLight>>(lights());
+    all->push_back(newSceneLight(kind, m_camera.desc(), m_facts.reach));
+    m_choices.lights = std::move(all);
 }
 
 void ViewModel::pick(const FrameInput& input, const PictureArea& area) {

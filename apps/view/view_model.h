@@ -1,10 +1,12 @@
 // The state of the viewer: what panels, keys and scripts change, and what panels show.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "view/denoiser_facts.h"
 #include "view/fly_camera.h"
 #include "view/input_state.h"
 #include "view/scene_index.h"
@@ -20,7 +22,8 @@ struct SceneFacts {
     GpCameraDesc start{}, wholeScene{};
     std::vector<GpCameraDesc> cameras;  // the file's
     SceneIndex index;
-    std::vector<LightRow> lights;       // when it was loaded
+    SceneLights lights;                 // when it was loaded, the sky's sun apart; may be null
+    DenoiserFacts denoisers;
     float reach = 1;                    // metres to what is seen at first
 };
 
@@ -31,6 +34,9 @@ struct PictureArea {
 
 class ViewModel {
 public:
+    // How far from the divider a hand may take hold of it, pixels.
+    static constexpr float kDividerReach = 8;
+
     ViewModel(SceneFacts facts, const ViewChoices& choices, std::string screenshotPath);
 
     // What hands did in a frame of the window. `seconds`: since the last one.
@@ -54,6 +60,13 @@ public:
     void goToCamera(std::size_t index);
     void requestScreenshot() { m_screenshotWanted = true; }
 
+    // The lights as they are now; never null.
+    const std::vector<SceneLight>& lights() const;
+    // The light of this number, to be changed; throws UsageError where there is none.
+    void changeLight(std::size_t index, const std::function<void(SceneLight&)>& change);
+    // Where the camera is; polygons are not made by hand.
+    void addLight(GpLightKind kind);
+
     // What to render: the choices with the camera where it is now.
     ViewChoices choicesFor(RenderSize size) const;
 
@@ -71,6 +84,8 @@ public:
     const std::string& message() const { return m_message.text; }
     bool messageIsError() const { return m_message.isError; }
     std::string& screenshotPath() { return m_screenshotPath; }
+    // Of the light panel.
+    std::size_t& selectedLight() { return m_selectedLight; }
     bool showsPanels() const { return m_showsPanels; }
     bool wantsToQuit() const { return m_quit; }
     bool takeScreenshotRequest();
@@ -78,6 +93,8 @@ public:
 private:
     void press(Key key);
     void pick(const FrameInput& input, const PictureArea& area);
+    // Returns whether the drag is one of the divider's.
+    bool dragDivider(const FrameInput& input, const PictureArea& area);
 
     SceneFacts m_facts;
     FlyCamera m_camera;
@@ -87,7 +104,8 @@ private:
     TimeHistory m_times;
     std::optional<PickedThing> m_hovered, m_pinned;
     std::uint32_t m_hoveredId = 0;
-    std::size_t m_nextCamera = 0;
+    std::size_t m_nextCamera = 0, m_selectedLight = 0;
+    std::optional<glm::vec2> m_dividerDrag;  // where the drag began that holds the divider
     ViewNote m_message;
     bool m_showsPanels = true, m_quit = false, m_screenshotWanted = false;
 };

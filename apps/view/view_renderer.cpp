@@ -99,6 +99,10 @@ ViewRenderer::Job ViewRenderer::nextJob(std::unique_lock<std::mutex>& lock) {
             m_changed.wait(lock);
             continue;
         }
+        // Also while hands move: a live frame is seen with the first sample that belongs to it.
+        if (m_traced && m_traced->beside && m_besideDue && m_frames.samplesBeside() == 0) {
+            return Job::beside;
+        }
         if (!m_traced || !sameView(*m_traced, m_choices)) {
             return Job::live;
         }
@@ -107,6 +111,13 @@ ViewRenderer::Job ViewRenderer::nextJob(std::unique_lock<std::mutex>& lock) {
         }
         if (!m_toSave.empty()) {
             return Job::save;
+        }
+        if (m_choices.beside) {
+            if (const std::optional<Job> job = besideJob()) {
+                return *job;
+            }
+            m_changed.wait(lock);
+            continue;
         }
         const bool goesOn = m_choices.live == LiveMode::realtime;
         const bool isAtRest = Clock::now() >= m_lastChange + kRestDelay;
@@ -124,6 +135,16 @@ ViewRenderer::Job ViewRenderer::nextJob(std::unique_lock<std::mutex>& lock) {
     }
 }
 
+// In turns: a live frame, samples of the reference.
+std::optional<ViewRenderer::Job> ViewRenderer::besideJob() const {
+    const bool hasAll = m_frames.samplesBeside() >= m_choices.mostSamples;
+    const bool goesOn = m_choices.live == LiveMode::realtime;
+    if (!hasAll && (m_besideDue || !goesOn)) {
+        return Job::beside;
+    }
+    return goesOn ? std::optional(Job::live) : std::nullopt;
+}
+
 void ViewRenderer::run() {
     for (;;) {
         std::unique_lock lock(m_mutex);
@@ -131,10 +152,11 @@ void ViewRenderer::run() {
         if (job == Job::stop) {
             return;
         }
-        const ViewChoices choices = m_choices;
-        const std::uint64_t serial = m_serial;
+        const bool isOfLive = job == Job::beside;  // what hands have changed since is not in it
+        const ViewChoices choices = isOfLive ? *m_traced : m_choices;
+        const std::uint64_t serial = isOfLive ? m_tracedSerial : m_serial;
         m_workingOn = serial;
-        m_cancellable = job == Job::rest;
+        m_cancellable = job == Job::rest || (isOfLive && m_frames.samplesBeside() > 0);
         m_saving = job == Job::save;
         lock.unlock();
         try {
@@ -158,6 +180,7 @@ void ViewRenderer::work(Job job, const ViewChoices& choices, std::uint64_t seria
     switch (job) {
         case Job::live: renderLive(choices); break;
         case Job::rest: renderAtRest(choices); break;
+        case Job::beside: renderBeside(choices); break;
         case Job::save: {
             std::unique_lock lock(m_mutex);
             const std::string path = m_toSave.front();
@@ -168,17 +191,35 @@ void ViewRenderer::work(Job job, const ViewChoices& choices, std::uint64_t seria
         }
         default: break;
     }
+    if (job == Job::live || job == Job::reshow) {
+        m_traced = choices;
+        m_tracedSerial = serial;
+    }
+    if (job == Job::live && choices.beside && m_frames.samplesBeside() == 0) {
+        m_frames.noteLiveTime();  // it is shown with the first sample beside
+        return;
+    }
     publish(choices, serial, job == Job::live);
 }
 
 void ViewRenderer::renderLive(const ViewChoices& choices) {
     if (!m_traced || !sameView(*m_traced, choices)) {
         m_lastChange = Clock::now();
+        m_besideHeld = false;
+        m_frames.forgetBeside();
     }
     m_restHeld = false;
+    m_besideDue = true;
     m_edits.apply(choices);
     m_frames.renderLive(m_scene, choices);
-    m_traced = choices;
+}
+
+void ViewRenderer::renderBeside(const ViewChoices& choices) {
+    const bool isFirst = m_frames.samplesBeside() == 0;
+    m_besideDue = false;
+    m_frames.renderBeside(m_scene, choices, isFirst ? nullptr : &ViewRenderer::onProgress, this,
+                          !m_besideHeld);
+    m_besideHeld = true;
 }
 
 void ViewRenderer::renderAtRest(const ViewChoices& choices) {
@@ -197,13 +238,16 @@ int ViewRenderer::onProgress(void* user, const GpProgress*) {
 void ViewRenderer::publish(const ViewChoices& choices, std::uint64_t serial, bool isNewLive) {
     const Clock::time_point now = Clock::now();
     float ev = choices.exposureEv;
-    if (choices.autoExposure) {
+    if (eyeDecides(choices)) {
+        ev = m_frames.exposureOfLive();
+    } else if (choices.autoExposure) {
         const std::chrono::duration<double> passed = now - m_lastPublished;
         ev = m_meter.adapt(m_frames.readColor(), passed.count());
     }
     m_lastPublished = now;
-    check(m_device, gpTonemapFrame(m_frames.shown(), ev, choices.tonemap));
-    ShownPicture picture = m_frames.read(choices.image, ev);
+    m_frames.tonemap(ev, choices.tonemap);
+    ShownPicture picture = m_frames.read(
+        choices.image, ev, choices.beside ? std::optional(choices.divider) : std::nullopt);
     picture.serial = serial;
     picture.exposureEv = ev;
     if (isNewLive) {
@@ -224,12 +268,17 @@ void ViewRenderer::saveNow(const std::string& path) {
     if (m_frames.shown() == nullptr) {
         throw RunError(fmt::format("{}: there is no picture yet", path));
     }
-    check(m_device, gpSaveFrame(m_frames.shown(), path.c_str(), &options));
+    const std::uint32_t beside = m_traced && m_traced->beside ? m_frames.samplesBeside() : 0;
+    if (beside > 0) {
+        m_frames.saveBeside(path, m_traced->divider);
+    } else {
+        check(m_device, gpSaveFrame(m_frames.shown(), path.c_str(), &options));
+    }
     const RenderSize size = m_frames.shownSize();
     GpFrameStatistics statistics{};
     check(m_device, gpGetFrameStatistics(m_frames.shown(), &statistics));
     note(false, fmt::format("saved {} ({}x{}, {} samples a pixel)", path, size.width, size.height,
-                            statistics.samplesPerPixel));
+                            beside > 0 ? beside : statistics.samplesPerPixel));
 }
 
 }  // namespace gp::tool::view

@@ -39,13 +39,15 @@ public:
     std::vector<ViewNote> takeNotes();
 
 private:
-    enum class Job { live, reshow, rest, save, stop };
+    enum class Job { live, reshow, rest, beside, save, stop };
 
     void run();
     Job nextJob(std::unique_lock<std::mutex>& lock);
     void work(Job job, const ViewChoices& choices, std::uint64_t serial);
     void renderLive(const ViewChoices& choices);
     void renderAtRest(const ViewChoices& choices);
+    void renderBeside(const ViewChoices& choices);
+    std::optional<Job> besideJob() const;
     void publish(const ViewChoices& choices, std::uint64_t serial, bool isNewLive);
     void saveNow(const std::string& path);
     void note(bool isError, const std::string& text);
@@ -71,9 +73,11 @@ private:
     ViewFrames m_frames;
     ExposureMeter m_meter;
     std::optional<ViewChoices> m_traced;  // what the frames show
-    std::uint64_t m_shownSerial = 0;
+    std::uint64_t m_shownSerial = 0, m_tracedSerial = 0;
     bool m_failed = false;                // these choices: nothing is tried until they change
     bool m_restHeld = false;              // the frame at rest has samples of this view
+    bool m_besideHeld = false;            // the same of the reference beside
+    bool m_besideDue = false;             // it is its turn: a live frame has come since
     std::chrono::steady_clock::time_point m_lastChange, m_lastPublished;
 
     std::thread m_thread;  // last: all above is there when it starts

@@ -1,4 +1,4 @@
-// ViewModel::set: what the panels set, by name; and ViewModel::stateJson.
+// ViewModel::set: what the panels set, by name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,6 @@
 namespace gp::tool::view {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Setter = std::function<void(ViewModel&, const std::string& name, const std::string& word)>;
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
@@ -81,6 +80,50 @@ void setPosition(ViewModel& model, const std::string& name, const std::string& w
     ++model.choices().realtime.cuts;
 }
 
+// "NAME=VALUE", or "default" for all of them.
+void setTune(ViewModel& model, const std::string& name, const std::string& word) {
+    std::map<std::string, float>& numbers = model.choices().realtime.numbers;
+    if (word == "default") {
+        numbers.clear();
+        return;
+    }
+    const auto [number, value] = parseAssignment(name, word);
+    const DenoiserNumber* known = model.facts().denoisers.number(number);
+    if (known == nullptr) {
+        failChoice(name, number, model.facts().denoisers.numberNames());
+    }
+    numbers[number] = static_cast<float>(
+        parseNumber(number, value, static_cast<double>(known->low),
+                    static_cast<double>(known->high)));
+}
+
+// "NUMBER.FIELD=VALUE"
+void setLight(ViewModel& model, const std::string& name, const std::string& word) {
+    const auto [place, value] = parseAssignment(name, word);
+    const std::size_t dot = place.find('.');
+    if (dot == std::string::npos) {
+        throw UsageError(fmt::format("{}: {} is not NUMBER.FIELD=VALUE", name, word));
+    }
+    const auto index = parseInteger(name, place.substr(0, dot), 0, 1u << 30);
+    model.changeLight(static_cast<std::size_t>(index), [&](SceneLight& light) {
+        setLightField(light, place.substr(dot + 1), value);
+    });
+}
+
+void addLightNamed(ViewModel& model, const std::string& name, const std::string& word) {
+    const GpLightKind kind = parseChoice(name, word, kLightKindWords);
+    if (kind == GP_LIGHT_POLYGON) {
+        throw UsageError(fmt::format("{}: polygons come from files and programs only", name));
+    }
+    model.addLight(kind);
+}
+
+void removeLight(ViewModel& model, const std::string& name, const std::string& word) {
+    const auto index = parseInteger(name, word, 0, 1u << 30);
+    model.changeLight(static_cast<std::size_t>(index),
+                      [](SceneLight& light) { light.isRemoved = true; });
+}
+
 const std::vector<std::pair<std::string, Setter>>& setters() {
     static const std::vector<std::pair<std::string, Setter>> all = {
         {"camera", setCamera},
@@ -118,6 +161,35 @@ const std::vector<std::pair<std::string, Setter>>& setters() {
          [](ViewModel& m, const std::string& name, const std::string& word) {
              m.choices().realtime.mirrors =
                  static_cast<std::int32_t>(parseInteger(name, word, 0, kMostBounces));
+         }},
+        {"denoiser",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.denoiser = m.facts().denoisers.denoiser(name, word);
+         }},
+        {"light-reuse",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.lightReuse = parseChoice(name, word, kLightReuseWords);
+         }},
+        {"indirect-reuse",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.indirectReuse = parseChoice(name, word, kLightReuseWords);
+         }},
+        {"eye-adaptation",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().realtime.eye.seconds =
+                 static_cast<float>(parseNumber(name, word, 0, kLongestAdaptation));
+         }},
+        {"tune", setTune},
+        {"light", setLight},
+        {"add-light", addLightNamed},
+        {"remove-light", removeLight},
+        {"beside",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().beside = parseSwitch(name, word);
+         }},
+        {"divider",
+         [](ViewModel& m, const std::string& name, const std::string& word) {
+             m.choices().divider = static_cast<float>(parseNumber(name, word, 0, 1));
          }},
         {"reference",
          [](ViewModel& m, const std::string& name, const std::string& word) {
@@ -163,47 +235,6 @@ std::vector<std::string> ViewModel::settingNames() {
         names.push_back(name);
     }
     return names;
-}
-
-Json ViewModel::stateJson() const {
-    const GpCameraDesc camera = m_camera.desc();
-    Json json;
-    json["position"] = camera.position;
-    json["target"] = camera.target;
-    json["speed"] = m_camera.speed();
-    json["live"] = wordOf(m_choices.live, kLiveWords);
-    json["reference"] = m_choices.reference;
-    json["image"] = m_choices.image;
-    json["panels"] = m_showsPanels;
-    if (m_picture) {
-        json["render_size"] = {m_picture->size.width, m_picture->size.height};
-        json["scale"] = m_picture->scale;
-        json["at_rest"] = m_picture->atRest;
-        json["samples_per_pixel"] = m_picture->statistics.samplesPerPixel;
-        json["exposure_ev"] = m_picture->exposureEv;
-        json["live_frames"] = m_picture->liveFrames;
-        json["note"] = m_picture->note;
-        for (const auto& [pass, milliseconds] : m_picture->passes) {
-            json["passes"][pass] = milliseconds;
-        }
-    }
-    json["milliseconds_per_frame"] = {{"mean", m_times.mean()},
-                                      {"p50", m_times.percentile(50)},
-                                      {"p95", m_times.percentile(95)}};
-    json["thing"] = nullptr;
-    if (const std::optional<PickedThing>& picked = thing()) {
-        json["thing"] = {{"instance", picked->instance},
-                         {"name", picked->instanceName},
-                         {"mesh", picked->meshName},
-                         {"material", picked->materialName},
-                         {"model", picked->model},
-                         {"pinned", isPinned()}};
-        for (const auto& [parameter, value] : picked->parameters) {
-            json["thing"]["parameters"][parameter] = value;
-        }
-    }
-    json["message"] = m_message.text;
-    return json;
 }
 
 }  // namespace gp::tool::view

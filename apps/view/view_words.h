@@ -12,6 +12,8 @@ inline constexpr std::pair<const char*, LiveMode> kLiveWords[] = {
     {"realtime", LiveMode::realtime}, {"traced", LiveMode::traced}, {"local", LiveMode::local}};
 inline constexpr std::pair<const char*, GpAntiAliasing> kAntiAliasingWords[] = {
     {"temporal", GP_AA_TEMPORAL}, {"none", GP_AA_NONE}, {"jitter", GP_AA_JITTER}};
+inline constexpr std::pair<const char*, GpLightReuse> kLightReuseWords[] = {
+    {"none", GP_REUSE_NONE}, {"biased", GP_REUSE_BIASED}, {"unbiased", GP_REUSE_UNBIASED}};
 inline constexpr std::pair<const char*, GpTonemap> kTonemapWords[] = {
     {"agx", GP_TONEMAP_AGX},
     {"aces", GP_TONEMAP_ACES},
@@ -20,6 +22,7 @@ inline constexpr std::pair<const char*, GpTonemap> kTonemapWords[] = {
 
 inline constexpr double kLowestFps = 1;
 inline constexpr double kHighestFps = 240;
+inline constexpr double kLongestAdaptation = 3600;  // seconds, the library's
 inline constexpr std::uint32_t kMostSamples = 1u << 24;
 inline constexpr std::int32_t kMostBounces = 16;  // and mirrors, of real time
 

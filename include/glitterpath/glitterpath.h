@@ -398,8 +398,15 @@ typedef enum GpVisibility {
     GP_VISIBILITY_WORLD = 0,        /* everyone's */
     GP_VISIBILITY_FIRST_PERSON = 1, /* the viewer's hands and weapon: the camera sees them; they are
                                        in no reflection, cast no shadow and light nothing */
-    GP_VISIBILITY_VIEWER_BODY = 2   /* the body that the viewer stands in: reflected and casting
+    GP_VISIBILITY_VIEWER_BODY = 2,  /* the body that the viewer stands in: reflected and casting
                                        shadows, but the camera looks through it */
+    GP_VISIBILITY_SKY = 3           /* sky geometry, a small world of its own: rays of every kind
+                                       that meet nothing else see it, all from the one point that
+                                       GpRenderOptions.skyViewerPosition says, and before the
+                                       environment. It shows its base colour plus its emission
+                                       (unlit: the base colour), whatever light there is; what it
+                                       shows lights the scene as an environment does. Suns lie
+                                       before it, and it is not in the scene's bounds */
 } GpVisibility;
 
 typedef struct GpInstanceDesc {
@@ -479,8 +486,16 @@ typedef struct GpLightDesc {
 GP_API GpLight gpNewLight(GpScene scene, const GpLightDesc* desc);
 /* Everything of the light anew; the id stays. */
 GP_API GpError gpSetLight(GpLight light, const GpLightDesc* desc);
+/* The last light of the scene takes its place among them. */
 GP_API GpError gpRemoveLight(GpLight light);
 GP_API GpError gpReleaseLight(GpLight light);
+/* Light `index` of the scene, from 0, whoever added it: a call, a file or gpSetSky, in the order of
+ * gpDescribeScene. Emissive triangles are not among them. `desc` receives what gpSetLight would
+ * make it of, in GP_UNIT_RADIOMETRIC; its name and corners live until the light is set or removed.
+ * `light`, which may be NULL, receives a handle of its own, to be released. A light that has more
+ * than one handle can be removed through any; the others are good for gpReleaseLight then, and
+ * GP_ERROR_INVALID_OPERATION for all else. What plays (gpSetSceneTime) still moves its lights. */
+GP_API GpError gpGetSceneLight(GpScene scene, uint32_t index, GpLightDesc* desc, GpLight* light);
 
 /* What surrounds the scene. Latitude-longitude images: the centre looks along -Z, top is +Y. */
 typedef struct GpEnvironmentDesc {
@@ -496,6 +511,25 @@ GP_API GpError gpSetEnvironment(GpScene scene, const GpEnvironmentDesc* desc);
 /* The image from a Radiance HDR or EXR file; color and rotation from desc, which may be NULL. */
 GP_API GpError gpSetEnvironmentFromFile(GpScene scene, const char* path,
                                         const GpEnvironmentDesc* desc);
+
+/* Six square pictures of what surrounds the scene, with the orientation that OpenGL gives the faces
+ * of a cube map (OpenGL 4.6 specification, table 8.19): the first row of a face's pixels is t = 0.
+ * Seen from the origin, -Z ahead and +Y up, each side face stands upright and mirrored (cube maps
+ * are left-handed); worldFromCube may mirror them back. */
+typedef struct GpCubemapDesc {
+    GpTexture faces[6];      /* +X, -X, +Y, -Y, +Z, -Z: RGB is radiance, W/(m^2 sr), >= 0 (8 bits:
+                                1 is white), alpha is not read. All required; square and of one
+                                size, 1..4096. May be released after the call, and gpUpdateTexture
+                                does not reach the scene's copy */
+    float color[3];          /* multiplies them; three zeros = 1 */
+    float worldFromCube[9];  /* 3 rows of 3: where the cube's axes point; at right angles and of
+                                length 1 within 1e-3; nine zeros = identity */
+} GpCubemapDesc;
+
+/* Replaces the environment, and a sky with its sun. The cube becomes a latitude-longitude image
+ * four times as wide as a face (64 x 32 to 8192 x 4096 pixels), and lights as such an image does.
+ * Cost: 0.1 s for faces of 256 x 256, on one core. */
+GP_API GpError gpSetCubemap(GpScene scene, const GpCubemapDesc* desc);
 /* A clear sky with the sun at (azimuth from -Z towards +X, elevation), radians. The sun's disk is a
  * directional light of its own that the call adds. sunElevation: 0..pi/2. sunLux >= 0: illuminance
  * of the sun on a plane facing it; 0 = by its elevation (100,000 lux high up). Replaces the
@@ -734,7 +768,7 @@ typedef struct GpRealtimeOptions {
     int32_t resetHistory;   /* not 0: nothing of earlier frames is used, as after a cut */
     GpAntiAliasing antiAliasing;
     float renderScale;      /* rays along each side of the picture for a pixel: 0.5..1, 0 = 1. Below
-                               1 the picture is scaled up over time; a change forgets history */
+                               1 the picture is scaled up over time; a change keeps history */
     int32_t mirrorLimit;    /* reflections and refractions by smooth surfaces before the surface
                                that a pixel shows; 0 = 4, at most 16, GP_NO_BOUNCES = none */
     GpDenoiser denoiser;
@@ -743,6 +777,14 @@ typedef struct GpRealtimeOptions {
     GpLightReuse lightReuse;
     float timeStep;         /* seconds since the last frame; 0 = 1/60 */
     GpEyeAdaptation eyeAdaptation;
+    GpLightReuse indirectReuse; /* the same for light of surfaces: pixels hand on where their bounce
+                               rays arrived and the light that shone there [Ouyang et al. 2021,
+                               "ReSTIR GI"]. Light of further bounces, and smooth lobes, are not
+                               handed on. A change forgets history */
+    uint32_t skyCubeSize;   /* pixels along each side of the cube that GP_DRAW_SKY is drawn into for
+                               reflections and light: 16..1024, 0 = 128 */
+    int32_t heatMaps;       /* not 0: makes the layers heat_rays and heat_time (gpReadFrameLayer);
+                               8 bytes for each pixel of rays, and some time */
 } GpRealtimeOptions;
 
 /* Called on the thread of gpRender, a few times a second at most. Return 0 to go on, else the
@@ -770,6 +812,13 @@ typedef struct GpRenderOptions {
     GpRealtimeOptions realtime; /* for GP_MODE_REALTIME */
     GpLocalLighting local;     /* for GP_MODE_LOCAL, which in turn has no maxBounces, clamp or
                                   noRussianRoulette: GP_ERROR_INVALID_ARGUMENT where set */
+    float rayLength;           /* metres, 0 = without end. Every ray ends there, those of camera,
+                                  reflections, bounces and shadows: what lies beyond is not seen and
+                                  hides nothing, sky is in its place, and lamps that are farther
+                                  away light nothing (GP_MODE_LOCAL: only camera rays end) */
+    float skyViewerPosition[3];/* GP_VISIBILITY_SKY is seen from here + skyScale * the camera's */
+    float skyScale;            /* position. 0 = a sky that does not move with the camera, 1/16 =
+                                  one that was built at a sixteenth of its size */
 } GpRenderOptions;
 
 #define GP_NO_BOUNCES (-1)
@@ -824,10 +873,22 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * looking into it. Whole numbers are converted to floats, normals and directions to xyz, `hit` to
  * instance and triangle, `material` to roughness, metallic, flags and mirrors. Images with a pixel
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
- * message names the nearest known one. */
+ * message names the nearest known one; an image that the frame's options do not make (reservoirs
+ * without light reuse) is GP_ERROR_INVALID_OPERATION.
+ * Heat maps tell what a pixel costs:
+ *   heat_rays      rays that were traced for it in this frame. With a renderScale of 1 their sum is
+ *                  that of the ray counters of gpGetFrameStatistics
+ *   heat_time      microseconds that threads spent on it in the passes that trace and shade, those
+ *                  that packets of camera rays share in equal parts; what else the processor did
+ *                  meanwhile counts too
+ *   heat_variance  R: estimated variance of the luminance of its light before denoising, seen for
+ *                  one frame; G, B, A: of direct, indirect and specular light, over albedo
+ * The first two are of frames with options.realtime.heatMaps, the last one of frames with a
+ * denoiser: else GP_ERROR_INVALID_OPERATION. */
 GP_API GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t size);
-/* The denoisers by name, and all their parameters with name, default, range and meaning, as a JSON
- * text; sizes as in gpDescribeScene. */
+/* The denoisers by name, and all their parameters with name, default, range, meaning and who looks
+ * at them (`used_by`: denoisers, "light reuse", "indirect reuse", "anti-aliasing"), as a JSON text;
+ * sizes as in gpDescribeScene. */
 GP_API GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* needed);
 /* Name and meaning of layer `index`, from 0; both static. GP_ERROR_OUT_OF_RANGE behind the last.
  * Needs no device. */
@@ -849,8 +910,12 @@ typedef enum GpDrawTarget {
                             blended so; float textures are encoded */
     GP_DRAW_SKY = 2      /* into GP_IMAGE_COLOR, only where camera rays met nothing; pixels at the
                             edges of surfaces get their share. Seen with the camera at the origin,
-                            so that what surrounds (0, 0, 0) seems infinitely far away. Reflections
-                            and bounced light do not see it yet: they see the environment */
+                            so that what surrounds (0, 0, 0) seems infinitely far away. In frames
+                            of GP_MODE_REALTIME what is drawn with GP_VIEW_CAMERA is drawn into a
+                            cube too (GpRealtimeOptions.skyCubeSize; viewport does not count
+                            there), over environment and sky geometry: that is what mirrors,
+                            reflections and bounced light see then, and what lights the scene. In
+                            the other modes these see the environment */
 } GpDrawTarget;
 
 /* What positions mean. The lens of the camera (apertureRadius) never blurs what is drawn. */

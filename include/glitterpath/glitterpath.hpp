@@ -158,6 +158,7 @@ public:
     void setEnvironment(const std::string& path, const GpEnvironmentDesc& desc = {}) {
         check(gpSetEnvironmentFromFile(get(), path.c_str(), &desc));
     }
+    void setCubemap(const GpCubemapDesc& desc) { check(gpSetCubemap(get(), &desc)); }
     void setSky(float sunAzimuth, float sunElevation, float sunLux = 0) {
         check(gpSetSky(get(), sunAzimuth, sunElevation, sunLux));
     }
@@ -177,6 +178,11 @@ public:
     GpCameraDesc camera(uint32_t index) const {
         GpCameraDesc result{};
         check(gpGetSceneCamera(get(), index, &result, nullptr));
+        return result;
+    }
+    GpLightDesc light(uint32_t index) const {  // its pointers live until the light is changed
+        GpLightDesc result{};
+        check(gpGetSceneLight(get(), index, &result, nullptr));
         return result;
     }
     GpCameraDesc frame(float aspect) const {
@@ -213,10 +219,20 @@ public:
     Light() = default;
     Light(const Scene& s, const GpLightDesc& desc)
         : Owner(detail::checked(gpNewLight(s.get(), &desc), s.device()), s.device()) {}
+    // One that is there already, by its number in Scene::light().
+    Light(const Scene& s, uint32_t index) : Owner(handleOf(s, index), s.device()) {}
     void set(const GpLightDesc& desc) { check(gpSetLight(get(), &desc)); }
     void remove() {
         check(gpRemoveLight(get()));
         forget();
+    }
+
+private:
+    static GpLight handleOf(const Scene& s, uint32_t index) {
+        GpLightDesc desc{};
+        GpLight light = nullptr;
+        detail::check(gpGetSceneLight(s.get(), index, &desc, &light), s.device());
+        return light;
     }
 };
 

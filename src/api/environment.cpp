@@ -1,7 +1,11 @@
+#include <array>
 #include <numbers>
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include "api/check.h"
 #include "api/pixels.h"
+#include "scene/cube_map.h"
 #include "scene/environment_table.h"
 #include "scene/sky.h"
 
@@ -55,6 +59,66 @@ Environment environmentFrom(const char* path, const GpEnvironmentDesc& desc) {
     return environment;
 }
 
+constexpr uint32_t faceLimit = 4096;
+
+// The textures themselves, looked at one by one.
+std::array<const Texture*, 6> facesFrom(DeviceObject& device, const GpCubemapDesc& desc) {
+    std::array<const Texture*, 6> faces{};
+    for (size_t i = 0; i < faces.size(); ++i) {
+        const std::string field = fmt::format("faces[{}]", i);
+        const Texture& t = *resolve(device, desc.faces[i], field.c_str())->texture;
+        const MipLevel& level = t.levels[0];
+        faces[i] = &t;
+        if (level.width != level.height)
+            fail(GP_ERROR_INVALID_ARGUMENT, "{} has {} x {} pixels, which is no square", field,
+                 level.width, level.height);
+        if (level.width > faceLimit)
+            fail(GP_ERROR_TOO_LARGE, "{} is {} pixels wide, more than {}", field, level.width,
+                 faceLimit);
+        if (level.width != faces[0]->levels[0].width)
+            fail(GP_ERROR_INVALID_ARGUMENT, "{} is {} pixels wide, but faces[0] {}", field,
+                 level.width, faces[0]->levels[0].width);
+    }
+    return faces;
+}
+
+// Float textures are finite, but may be below 0.
+void checkRadiance(const CubeMap& cube) {
+    const size_t face = size_t(cube.size) * cube.size;
+    for (size_t i = 0; i < cube.texels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            if (!(cube.texels[i][c] >= 0))
+                fail(GP_ERROR_OUT_OF_RANGE, "pixel {} of faces[{}] is {}", i % face, i / face,
+                     cube.texels[i][c]);
+}
+
+glm::mat3 worldFromCubeOf(const GpCubemapDesc& desc) {
+    checkFinite(desc.worldFromCube, 9, "worldFromCube");
+    if (allZero(desc.worldFromCube, 9)) return glm::mat3(1);
+    const glm::mat3 m = glm::transpose(glm::make_mat3(desc.worldFromCube));
+    constexpr double exact = 1e-3;
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            if (const double product = glm::dot(glm::dvec3(m[i]), glm::dvec3(m[j]));
+                std::abs(product - (i == j)) > exact)
+                fail(GP_ERROR_OUT_OF_RANGE,
+                     "worldFromCube turns and scales: column {} times column {} is {:g}", i, j,
+                     product);
+    return m;
+}
+
+Environment environmentFrom(DeviceObject& device, const GpCubemapDesc& desc) {
+    Environment environment;
+    checkNotNegative(desc.color, 3, "color");
+    environment.color = allZero(desc.color, 3) ? glm::vec3(1) : vec3From(desc.color);
+    const glm::mat3 worldFromCube = worldFromCubeOf(desc);
+    const CubeMap cube = cubeMapOf(facesFrom(device, desc));
+    checkRadiance(cube);
+    const LatLongImage image = latLongFromCube(cube, glm::transpose(worldFromCube));
+    environment.table = makeEnvironmentTable(&image.pixels[0].x, image.width, image.height);
+    return environment;
+}
+
 // A sky's sun goes with its sky.
 void replaceEnvironment(Scene& scene, Environment&& environment) {
     removeSkySun(scene);
@@ -79,6 +143,13 @@ GpError gpSetEnvironmentFromFile(GpScene scene, const char* path, const GpEnviro
     return enter("gpSetEnvironmentFromFile", "scene", scene, [&](SceneObject& s) {
         checkPath(path);
         replaceEnvironment(s.scene, environmentFrom(path, desc ? *desc : GpEnvironmentDesc{}));
+    });
+}
+
+GpError gpSetCubemap(GpScene scene, const GpCubemapDesc* desc) {
+    return enter("gpSetCubemap", "scene", scene, [&](SceneObject& s) {
+        checkPointer(desc, "desc");
+        replaceEnvironment(s.scene, environmentFrom(*s.device, *desc));
     });
 }
 

@@ -50,7 +50,7 @@ GpFrame newFrame(DeviceObject& device, const GpFrameDesc& desc) {
     if (mode == FrameMode::realtime) {
         object->realtime = std::make_unique<RealtimeFrame>();
         const glm::ivec2 size(int(desc.width), int(desc.height));
-        object->realtime->resize(size, size);
+        object->realtime->resize(size, size, {});
     } else {
         images.sums.resize(images.pixelCount());
     }

@@ -41,10 +41,14 @@ glm::mat4x3 transformFrom(const float* rows, const char* field) {
 // A name stands for the bits of the rays that it hides the instance from.
 uint32_t visibilityFrom(const GpVisibility& name, uint32_t invisibleTo) {
     constexpr uint32_t hidden[] = {0, visibleToBounce | visibleToShadow, visibleToCamera};
-    const uint32_t byName = hidden[checkEnum(name, 3, "visibility")];
+    const uint32_t which = checkEnum(name, 4, "visibility");
     if (invisibleTo & ~allVisibility)
         fail(GP_ERROR_INVALID_ARGUMENT, "invisibleTo has unknown bits: {:#x}", invisibleTo);
-    return allVisibility & ~(byName | invisibleTo);
+    if (which != GP_VISIBILITY_SKY) return allVisibility & ~(hidden[which] | invisibleTo);
+    if (invisibleTo != 0)
+        fail(GP_ERROR_INVALID_ARGUMENT,
+             "invisibleTo is {:#x}, but all rays see what is GP_VISIBILITY_SKY", invisibleTo);
+    return visibleToSky;
 }
 
 glm::vec4 colorFrom(const float* color) {

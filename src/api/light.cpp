@@ -158,6 +158,42 @@ void takeOut(SceneObject& scene, const std::shared_ptr<Light>& light) {
     lights.pop_back();
 }
 
+// Only what its kind has; the rest stays zero.
+GpLightDesc descOf(const Light& light) {
+    GpLightDesc desc{};
+    desc.id = light.id;
+    desc.kind = GpLightKind(light.kind);
+    desc.intensity = std::max({light.emission.x, light.emission.y, light.emission.z});
+    desc.invisible = !light.visible;
+    desc.name = light.name.c_str();
+    const bool flat = light.kind == LightKind::rectangle || light.kind == LightKind::polygon;
+    const bool spot = light.kind == LightKind::spot;
+    const bool directional = light.kind == LightKind::directional;
+    for (int i = 0; i < 3; ++i) {
+        desc.color[i] = desc.intensity > 0 ? light.emission[i] / desc.intensity : 1.0f;
+        if (!directional && light.kind != LightKind::polygon) desc.position[i] = light.position[i];
+        if (directional || spot) desc.direction[i] = light.direction[i];
+        if (light.kind == LightKind::rectangle)
+            desc.edgeU[i] = light.edgeU[i], desc.edgeV[i] = light.edgeV[i];
+    }
+    desc.radius = light.radius;
+    desc.angularRadius = light.angularRadius;
+    if (spot) {
+        desc.outerAngle = std::acos(light.cosOuter);
+        desc.innerAngle = std::min(std::acos(light.cosInner), desc.outerAngle);
+    }
+    desc.twoSided = flat && light.twoSided;
+    if (!light.corners.empty()) desc.corners = &light.corners[0].x;
+    desc.cornerCount = uint32_t(light.corners.size());
+    return desc;
+}
+
+// Another handle may have removed it, or a new sky its sun.
+void checkInScene(const LightObject& object) {
+    if (!object.light->inScene)
+        fail(GP_ERROR_INVALID_OPERATION, "the light is no longer in its scene");
+}
+
 }  // namespace
 }  // namespace gp::api
 
@@ -175,8 +211,10 @@ GpLight gpNewLight(GpScene scene, const GpLightDesc* desc) {
 GpError gpSetLight(GpLight light, const GpLightDesc* desc) {
     return enter("gpSetLight", "light", light, [&](LightObject& object) {
         checkPointer(desc, "desc");
+        checkInScene(object);
         gp::Light changed = lightFrom(*desc);
         changed.id = object.light->id;
+        changed.ofSky = object.light->ofSky;
         *object.light = std::move(changed);
         ++object.scene->scene.revision;
     });
@@ -184,6 +222,8 @@ GpError gpSetLight(GpLight light, const GpLightDesc* desc) {
 
 GpError gpRemoveLight(GpLight light) {
     return enter("gpRemoveLight", "light", light, [&](LightObject& object) {
+        checkInScene(object);
+        object.light->inScene = false;
         object.scene->lightIds.erase(object.light->id);
         takeOut(*object.scene, object.light);
         ++object.scene->scene.revision;
@@ -194,6 +234,23 @@ GpError gpRemoveLight(GpLight light) {
 GpError gpReleaseLight(GpLight light) {
     return enter("gpReleaseLight", "light", light,
                  [&](LightObject&) { handles().remove(bitsOf(light)); });
+}
+
+GpError gpGetSceneLight(GpScene scene, uint32_t index, GpLightDesc* desc, GpLight* light) {
+    return enter("gpGetSceneLight", "scene", scene, [&](SceneObject& s) {
+        checkPointer(desc, "desc");
+        const auto& lights = s.scene.lights;
+        if (index >= lights.size())
+            fail(GP_ERROR_OUT_OF_RANGE, "index is {}, but the scene has {} lights", index,
+                 lights.size());
+        if (light) {
+            auto object = std::make_shared<LightObject>(*s.device);
+            object->scene = std::static_pointer_cast<SceneObject>(s.shared_from_this());
+            object->light = lights[index];
+            *light = publish<GpLight>(std::move(object));
+        }
+        *desc = descOf(*lights[index]);
+    });
 }
 
 }  // extern "C"

@@ -16,6 +16,7 @@
 #include "backend/backend.h"
 #include "frame/draw.h"
 #include "frame/frame_images.h"
+#include "frame/frame_sky.h"
 #include "frame/realtime.h"
 #include "glitterpath/glitterpath.h"
 #include "io/gltf.h"
@@ -121,6 +122,8 @@ struct FrameObject final : ChildObject {
     std::weak_ptr<const SceneObject> scene;
     uint64_t sceneRevision = 0;
     Camera camera;
+    glm::vec3 skyViewer{0};
+    FrameSky sky;                    // of other modes than FrameMode::realtime
     DrawList draws;                  // wait for the next render
     uint64_t drawElements = 0;       // their vertices and indices
     DrawList overlay;                // that the last render drew: gpTonemapFrame draws it again

@@ -83,19 +83,23 @@ DenoiserParameters parametersFrom(const GpRealtimeOptions& o) {
 
 bool isDefault(const GpRealtimeOptions& o) {
     return o.resetHistory == 0 && o.antiAliasing == 0 && o.renderScale == 0 &&
-           o.mirrorLimit == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.mirrorLimit == 0 && o.skyCubeSize == 0 && o.timeStep == 0 && o.lightReuse == 0 &&
+           o.indirectReuse == 0 &&
            o.denoiser == 0 && o.parameterCount == 0 && o.eyeAdaptation.seconds == 0 &&
-           o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0;
+           o.eyeAdaptation.evMin == 0 && o.eyeAdaptation.evMax == 0 && o.heatMaps == 0;
 }
 
 RealtimePlan realtimePlanFrom(const GpRenderOptions& o) {
     checkOthers(o);
     RealtimePlan plan;
     plan.resetHistory = o.realtime.resetHistory != 0;
+    plan.heatMaps = o.realtime.heatMaps != 0;
     plan.antiAliasing =
         AntiAliasing(checkEnum(o.realtime.antiAliasing, 3, "options.realtime.antiAliasing"));
     plan.lightReuse =
         LightReuse(checkEnum(o.realtime.lightReuse, 3, "options.realtime.lightReuse"));
+    plan.indirectReuse =
+        LightReuse(checkEnum(o.realtime.indirectReuse, 3, "options.realtime.indirectReuse"));
     plan.denoiser = Denoiser(checkEnum(o.realtime.denoiser, denoiserCount,
                                        "options.realtime.denoiser"));
     plan.parameters = parametersFrom(o.realtime);
@@ -115,6 +119,10 @@ void setSizes(RealtimePlan& plan, const GpRenderOptions& o, glm::uvec2 output) {
     const float scale = o.realtime.renderScale == 0 ? 1 : o.realtime.renderScale;
     checkRange(scale, 0.5, 1, "options.realtime.renderScale");
     plan.outputSize = output;
+    if (const uint32_t size = o.realtime.skyCubeSize; size != 0) {
+        checkRange(size, 16, 1024, "options.realtime.skyCubeSize");
+        plan.frame.skyCubeSize = size;
+    }
     plan.frame.width = std::max(1u, uint32_t(std::lround(scale * float(output.x))));
     plan.frame.height = std::max(1u, uint32_t(std::lround(scale * float(output.y))));
 }
@@ -151,15 +159,48 @@ void readImage(const FrameObject& frame, FrameImage which, void* pixels) {
 
 namespace {
 
-RealtimeImage layerNamed(const char* name) {
+constexpr size_t layerCount = realtimeLayerCount + heatLayerCount;
+
+// Heat maps stand behind the images.
+HeatLayer heatLayer(size_t layer) { return HeatLayer(layer - realtimeLayerCount); }
+
+const char* layerName(size_t layer) {
+    return layer < realtimeLayerCount ? realtimeImageInfo(RealtimeImage(layer)).name
+                                      : heatLayerInfo(heatLayer(layer)).name;
+}
+
+const char* layerMeaning(size_t layer) {
+    return layer < realtimeLayerCount ? realtimeImageInfo(RealtimeImage(layer)).meaning
+                                      : heatLayerInfo(heatLayer(layer)).meaning;
+}
+
+size_t layerNamed(const char* name) {
     std::vector<std::string> names;
-    for (size_t i = 0; i < realtimeLayerCount; ++i) {
-        names.emplace_back(realtimeImageInfo(RealtimeImage(i)).name);
-        if (names.back() == name) return RealtimeImage(i);
+    for (size_t i = 0; i < layerCount; ++i) {
+        names.emplace_back(layerName(i));
+        if (names.back() == name) return i;
     }
     const std::string nearest = nearestWord(name, names);
     fail(GP_ERROR_INVALID_ARGUMENT, "no layer has the name \"{}\"{}", name,
          nearest.empty() ? "" : " (did you mean " + nearest + "?)");
+}
+
+void readLayer(const RealtimeFrame& frame, size_t layer, glm::vec4* pixels) {
+    if (layer < realtimeLayerCount) {
+        if (!frame.images().holds(RealtimeImage(layer)))
+            fail(GP_ERROR_INVALID_OPERATION,
+                 "the frame has no layer \"{}\": its options (lightReuse, indirectReuse, denoiser) "
+                 "make none",
+                 layerName(layer));
+        readRealtimeLayer(frame.images(), RealtimeImage(layer), pixels);
+        return;
+    }
+    if (!hasHeatLayer(frame.heat(), frame.images(), heatLayer(layer)))
+        fail(GP_ERROR_INVALID_OPERATION, "the frame has no layer {}: {}", layerName(layer),
+             heatLayer(layer) == HeatLayer::variance
+                 ? "it was rendered without a denoiser"
+                 : "it was rendered without options.realtime.heatMaps");
+    readHeatLayer(frame.heat(), frame.images(), heatLayer(layer), pixels);
 }
 
 }  // namespace
@@ -186,13 +227,13 @@ GpError gpReadFrameLayer(GpFrame frame, const char* name, float* pixels, size_t 
         if (!f.realtime)
             fail(GP_ERROR_INVALID_OPERATION, "only frames of GP_MODE_REALTIME have layers");
         checkRendered(f);
-        const gp::RealtimeImage which = layerNamed(name);
+        const size_t which = layerNamed(name);
         const size_t needed = f.images.pixelCount() * sizeof(glm::vec4);
         if (size < needed)
             fail(GP_ERROR_INVALID_OPERATION, "size is {}, but the layer has {} bytes", size,
                  needed);
         std::vector<glm::vec4> values(f.images.pixelCount());
-        gp::readRealtimeLayer(f.realtime->images(), which, values.data());
+        readLayer(*f.realtime, which, values.data());
         std::memcpy(pixels, values.data(), needed);
     });
 }
@@ -201,12 +242,11 @@ GpError gpGetFrameLayerInfo(uint32_t index, const char** name, const char** mean
     auto body = [&](Object*) {
         checkPointer(name, "name");
         checkPointer(meaning, "meaning");
-        if (index >= gp::realtimeLayerCount)
+        if (index >= layerCount)
             fail(GP_ERROR_OUT_OF_RANGE, "index is {}, but there are {} layers", index,
-                 gp::realtimeLayerCount);
-        const gp::RealtimeImageInfo& info = gp::realtimeImageInfo(gp::RealtimeImage(index));
-        *name = info.name;
-        *meaning = info.meaning;
+                 layerCount);
+        *name = layerName(index);
+        *meaning = layerMeaning(index);
     };
     return enterFree("gpGetFrameLayerInfo", BodyRef(body));
 }
@@ -221,7 +261,8 @@ GpError gpDescribeDenoisers(GpDevice device, char* text, size_t size, size_t* ne
                                          {"default", p.initial},
                                          {"minimum", p.minimum},
                                          {"maximum", p.maximum},
-                                         {"meaning", p.text}});
+                                         {"meaning", p.text},
+                                         {"used_by", gp::usersOf(p)}});
         giveText(all.dump(2), text, size, needed);
     });
 }

@@ -105,6 +105,10 @@ FramePlan planFrom(const GpRenderOptions& o) {
     checkNotNegative(o.clamp, "options.clamp");
     plan.clampIndirect = o.clamp;
     plan.russianRoulette = o.noRussianRoulette == 0;
+    checkNotNegative(o.rayLength, "options.rayLength");
+    if (o.rayLength > 0) plan.rayLength = o.rayLength;
+    checkFinite(o.skyViewerPosition, 3, "options.skyViewerPosition");
+    checkFinite(o.skyScale, "options.skyScale");
     plan.exposureEv = checkExposure(o.exposureEv);
     plan.tonemap = Tonemap(checkEnum(o.tonemap, 4, "options.tonemap"));
     plan.accumulate = o.accumulate != 0;
@@ -123,12 +127,23 @@ bool sameView(const Camera& a, const Camera& b) {
            a.apertureRadius == b.apertureRadius && a.focusDistance == b.focusDistance;
 }
 
+// Where the camera stands in the small world of the sky.
+glm::vec3 skyViewerOf(const GpRenderOptions& o, const Camera& camera) {
+    const glm::vec3 viewer = vec3From(o.skyViewerPosition) + o.skyScale * camera.position;
+    if (!std::isfinite(viewer.x) || !std::isfinite(viewer.y) || !std::isfinite(viewer.z))
+        fail(GP_ERROR_OUT_OF_RANGE, "options.skyScale is {}: the sky's viewer would be nowhere",
+             o.skyScale);
+    return viewer;
+}
+
 void checkAccumulation(const FrameObject& frame, const SceneObject& scene, const FramePlan& plan) {
     if (!plan.accumulate || !frame.rendered) return;
     if (frame.scene.lock().get() != &scene || frame.sceneRevision != scene.scene.revision)
         fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another scene");
     if (!sameView(frame.camera, plan.camera))
         fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another view");
+    if (frame.skyViewer != plan.skyViewer)
+        fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another sky");
     const uint32_t held = frame.statistics.samplesPerPixel;
     if (plan.samplesPerPixel != UINT32_MAX && plan.samplesPerPixel > UINT32_MAX - 1 - held)
         fail(GP_ERROR_TOO_LARGE, "options.samplesPerPixel is {}, added to {}", plan.samplesPerPixel,
@@ -190,7 +205,7 @@ void useUpDraws(FrameObject& frame) {
     frame.draws.clear();
     frame.drawElements = 0;
     frame.statistics.frameBytes =
-        frame.images.bytes() + (frame.realtime ? frame.realtime->images().bytes() : 0);
+        frame.images.bytes() + (frame.realtime ? frame.realtime->bytes() : 0);
 }
 
 // An exception in the middle leaves some pixels with more samples than others: empties the frame.
@@ -218,6 +233,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     plan.width = frame.images.width;
     plan.height = frame.images.height;
     plan.camera = chooseCamera(scene->scene, camera, frame.images);
+    plan.skyViewer = skyViewerOf(options, plan.camera);
     checkAccumulation(frame, *scene, plan);
     plan.draws = &frame.draws;
 
@@ -240,8 +256,10 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         return;
     }
     const double secondsBuild = build(*scene);
+    if (frame.scene.lock() != scene) frame.sky.forget();
     RenderResult result;
     try {
+        frame.sky.update(*frame.device->backend, *scene->backendScene, scene->scene, plan);
         result = renderFrame(*frame.device->backend, *scene->backendScene, plan, frame.images,
                              cancel, progressOf(options));
     } catch (...) {
@@ -252,6 +270,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     frame.scene = scene;
     frame.sceneRevision = scene->scene.revision;
     frame.camera = plan.camera;
+    frame.skyViewer = plan.skyViewer;
     useUpDraws(frame);
     note(frame, *scene, result, secondsBuild, plan.exposureEv);
     if (result.cancelled)

@@ -10,9 +10,11 @@
 #include "frame/eye_adaptation.h"
 #include "frame/frame_images.h"
 #include "frame/frame_plan.h"
+#include "frame/heat_maps.h"
 #include "frame/realtime_images.h"
 #include "frame/realtime_plan.h"
 #include "frame/scene_motion.h"
+#include "scene/cube_map.h"
 #include "scene/light_table.h"
 #include "scene/scene.h"
 
@@ -43,6 +45,7 @@ struct RealtimeJob {
     const shared::RealtimeConstants& constants;
     const SceneMotion& motion;
     const RealtimeViews& images;
+    HeatViews heat;
 };
 
 class Backend {
@@ -54,6 +57,10 @@ public:
     // the choice of lights: a wrong one costs noise, never light.
     virtual std::array<float, 3> estimateLightVisibility(const BackendScene& scene,
                                                          const FramePlan& plan) = 0;
+    // What rays that leave the scene see, sky geometry and the environment, samples * samples of
+    // them a texel, into `cube`, whose size and texels are there.
+    virtual void traceSky(const BackendScene& scene, const FramePlan& plan, uint32_t samples,
+                          CubeMap& cube) = 0;
     // The path pass, or that of local lighting by plan.mode: adds samples [first, first + count) to
     // every pixel's sums. Tiles not begun when `cancel` turns true are left out.
     virtual RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,

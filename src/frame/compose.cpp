@@ -20,12 +20,6 @@ std::vector<PlacedDraw> drawsOf(const DrawList& draws, DrawTarget target, const 
     return placed;
 }
 
-bool usesDepth(const std::vector<PlacedDraw>& draws) {
-    return std::any_of(draws.begin(), draws.end(), [](const PlacedDraw& d) {
-        return d.draw->state.depthTest != DEPTH_ALWAYS || d.draw->state.depthWrite;
-    });
-}
-
 // Sums of ones that were divided by their number: less than this is an edge, not rounding.
 constexpr float wholeCoverage = 0.99999f;
 
@@ -71,13 +65,21 @@ void composeSky(Backend& backend, const std::vector<PlacedDraw>& draws, uint32_t
                       draws);
     for (const EdgePixel& e : edges) {
         const glm::vec4 c = color[e.index] + (1 - color[e.index].w) * (sky[e.index] - e.background);
-        sky[e.index] = glm::max(c, glm::vec4(0));
+        // The surface adds to its share of sky. Anti-aliasing over time bounds colours, but not
+        // coverage by the same amount: where the traced sky was bright, c would be below that.
+        sky[e.index] = glm::max(c, (1 - color[e.index].w) * sky[e.index]);
     }
     for (size_t i = 0; i < pixels; ++i)
         if (color[i].w < wholeCoverage) color[i] = sky[i];
 }
 
 }  // namespace
+
+bool usesDepth(const std::vector<PlacedDraw>& draws) {
+    return std::any_of(draws.begin(), draws.end(), [](const PlacedDraw& d) {
+        return d.draw->state.depthTest != DEPTH_ALWAYS || d.draw->state.depthWrite;
+    });
+}
 
 void composeDraws(Backend& backend, const DrawList& draws, const Camera& camera, uint32_t width,
                   uint32_t height, glm::vec4* color, const float* depth) {

@@ -9,6 +9,9 @@
 
 namespace gp {
 
+// Whether a depth image is needed.
+bool usesDepth(const std::vector<PlacedDraw>& draws);
+
 // Sky and scene draws of `draws` into `color`, linear radiance whose alpha is the share of a pixel
 // that camera rays met something in. `depth`: metres along the view of what they met, or infinite.
 // Both have width * height pixels, top row first.

@@ -1,4 +1,5 @@
-// The denoisers of the real-time frame: which kernels of src/kernels/realtime run, in what order.
+// The passes of the real-time frame that look at images only: the denoisers (which kernels of
+// src/kernels/realtime run, in what order), and those that make the picture after them.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,9 @@ constexpr size_t denoiserCount = 4;
     X(atrous_filter, FULL)       \
     X(indirect_temporal, THIRD)  \
     X(indirect_filter, THIRD)    \
-    X(indirect_upsample, FULL)
+    X(indirect_upsample, FULL)   \
+    X(realtime_composite, FULL)  \
+    X(realtime_resolve, OUTPUT)
 
 enum class DenoiseKernel : uint8_t {
 #define X(name, size) name,
@@ -41,6 +44,10 @@ struct DenoisePass {
 
 // After them the images direct, indirect, indirect_chroma and specular hold what is to be composed.
 std::span<const DenoisePass> denoisePasses(Denoiser denoiser);
+
+// The channels together again; and smooth edges, output size.
+constexpr DenoisePass compositePass = {"composite", DenoiseKernel::realtime_composite, 0};
+constexpr DenoisePass resolvePass = {"resolve", DenoiseKernel::realtime_resolve, 0};
 
 // What the rows of a kernel are counted in.
 RealtimeSize denoiseSize(DenoiseKernel kernel);

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace gp {
 
@@ -20,5 +22,8 @@ struct DenoiserParameterInfo {
     float DenoiserParameters::* member;
 };
 std::span<const DenoiserParameterInfo> denoiserParameters();
+// Who looks at it: names of denoisers, "light reuse", "indirect reuse",
+// "anti-aliasing".
+std::vector<std::string_view> usersOf(const DenoiserParameterInfo& parameter);
 
 }  // namespace gp

@@ -60,6 +60,10 @@ struct DrawPlacement {
 DrawPlacement placeDraw(const DrawCommand& draw, const Camera& camera, uint32_t width,
                         uint32_t height);
 
+// The same where the draw's own viewport does not count.
+DrawPlacement placeInWholeFrame(const DrawCommand& draw, const Camera& camera, uint32_t width,
+                                uint32_t height);
+
 struct PlacedDraw {
     const DrawCommand* draw = nullptr;
     DrawPlacement placement;

@@ -65,12 +65,8 @@ uint32_t firstPixel(double edge, uint32_t size) {
     return uint32_t(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
 }
 
-}  // namespace
-
-DrawPlacement placeDraw(const DrawCommand& draw, const Camera& camera, uint32_t width,
-                        uint32_t height) {
-    const bool whole = draw.viewport == glm::vec4(0);
-    const glm::vec4 v = whole ? glm::vec4(0, 0, float(width), float(height)) : draw.viewport;
+DrawPlacement placeInViewport(const DrawCommand& draw, const Camera& camera, const glm::vec4& v,
+                              uint32_t width, uint32_t height) {
     const ClipRows rows = rowsOf(draw, camera, v, width, height);
     const glm::dmat4 world(draw.worldFromObject);
     DrawPlacement p;
@@ -83,6 +79,19 @@ DrawPlacement placeDraw(const DrawCommand& draw, const Camera& camera, uint32_t 
     p.x0 = firstPixel(v.x, width), p.x1 = firstPixel(double(v.x) + v.z, width);
     p.y0 = firstPixel(v.y, height), p.y1 = firstPixel(double(v.y) + v.w, height);
     return p;
+}
+
+}  // namespace
+
+DrawPlacement placeInWholeFrame(const DrawCommand& draw, const Camera& camera, uint32_t width,
+                                uint32_t height) {
+    return placeInViewport(draw, camera, {0, 0, float(width), float(height)}, width, height);
+}
+
+DrawPlacement placeDraw(const DrawCommand& draw, const Camera& camera, uint32_t width,
+                        uint32_t height) {
+    if (draw.viewport == glm::vec4(0)) return placeInWholeFrame(draw, camera, width, height);
+    return placeInViewport(draw, camera, draw.viewport, width, height);
 }
 
 }  // namespace gp

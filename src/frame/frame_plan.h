@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <memory>
 
 #include "frame/draw.h"
 #include "scene/camera.h"
@@ -14,7 +16,8 @@ enum class PixelFilter : uint32_t { blackmanHarris, box, tent, gaussian };
 enum class ShadingMode : uint32_t { full, diffuse };
 enum class FrameMode : uint32_t { reference, realtime, local };
 
-struct BsdfSettings;  // scene/bsdf_registry.h
+struct BsdfSettings;      // scene/bsdf_registry.h
+struct EnvironmentTable;  // scene/environment_table.h
 
 // FrameMode::local: how lamps light what the camera sees. The numbers are the kernel's.
 enum class ShadingFrequency : uint32_t { pixel, vertex, triangle };
@@ -44,10 +47,17 @@ struct FramePlan {
     float clampIndirect = 0;        // 0: off
     bool russianRoulette = true;
     bool lastByLights = false;      // the last surface of a path has a shadow ray only
+    float rayLength = std::numeric_limits<float>::max();  // metres; what lies beyond is sky
     float exposureEv = 0;
     Tonemap tonemap = Tonemap::agx;
     bool accumulate = false;
     const DrawList* draws = nullptr;  // rasterised into the picture; null: none
+
+    // In the environment's place, where more surrounds the scene (frame/frame_sky.h); else null.
+    std::shared_ptr<const EnvironmentTable> sky;
+    bool skyDrawn = false;            // rasterised geometry is in it
+    glm::vec3 skyViewer{0};           // where sky geometry is seen from
+    uint32_t skyCubeSize = 128;       // pixels of a face that sky is drawn into
 
     // The share of what the environment, directional and local lights send that arrives, on average
     // over the picture: set before the first sample, by Backend::estimateLightVisibility.

@@ -34,8 +34,8 @@ const char* const passNames[] = {
 
 }  // namespace
 
-shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
-                                                   bool hasPrevious) const {
+shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, bool hasPrevious,
+                                                   bool sceneChanged) const {
     const RealtimeViews& views = images_.views();
     shared::RealtimeConstants c{};
     c.size = views.size[size_t(RealtimeSize::FULL)];
@@ -48,6 +48,8 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     c.relights = images_.filtered;
     c.resolves = plan.antiAliasing == AntiAliasing::temporal || c.size != c.output_size;
     c.light_reuse = uint32_t(plan.lightReuse);
+    c.indirect_reuse = uint32_t(plan.indirectReuse);
+    c.scene_changed = sceneChanged;
     c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = plan.parameters.name;
@@ -56,13 +58,18 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan,
     return c;
 }
 
-void RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output) {
+bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     const RealtimeViews& views = images_.views();
-    if (views.size[size_t(RealtimeSize::FULL)] == full &&
-        views.size[size_t(RealtimeSize::OUTPUT)] == output)
-        return;
+    const bool same =
+        views.size[size_t(RealtimeSize::OUTPUT)] == output && images_.reuse() == reuse;
+    if (same && views.size[size_t(RealtimeSize::FULL)] == full) return false;
+    if (same && previousCamera_) {
+        images_.rescale(full);
+        return true;
+    }
     cut();
-    images_.resize(full, output);
+    images_.resize(full, output, reuse);
+    return true;
 }
 
 // The frame from top to bottom.
@@ -71,28 +78,39 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
-    resize({int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize));
+    const bool resized = resize(
+        {int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
+        {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none});
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
-    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_) previousCamera_.reset();
-    denoiser_ = plan.denoiser, lightReuse_ = plan.lightReuse;
+    if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_ ||
+        plan.indirectReuse != indirectReuse_)
+        previousCamera_.reset();
+    denoiser_ = plan.denoiser;
+    lightReuse_ = plan.lightReuse, indirectReuse_ = plan.indirectReuse;
+    FramePlan frame = plan.frame;
+    const auto skyStart = Clock::now();
+    sky_.update(backend, backendScene, scene, frame);
+    if (frame.sky) result.passes.push_back({"sky", millisecondsSince(skyStart)});
     // Whatever ends this frame early leaves images that are half of it.
     const std::optional<Camera> previous = std::exchange(previousCamera_, std::nullopt);
     const bool hasPrevious = previous.has_value();
     if (!hasPrevious) {
         motion_.forget();
-        lightVisibility_ = backend.estimateLightVisibility(backendScene, plan.frame);
+        lightVisibility_ = backend.estimateLightVisibility(backendScene, frame);
     }
     motion_.compare(scene, backendScene.lights());
     jitter_ = plan.antiAliasing == AntiAliasing::none ? glm::vec2(0) : jitterOf(index_);
     images_.swap();
+    heat_.begin(plan.heatMaps, images_.views().size[size_t(RealtimeSize::FULL)]);
     images_.filtered = plan.denoiser != Denoiser::none;
 
-    const shared::RealtimeConstants c = constants(plan, hasPrevious);
-    FramePlan frame = plan.frame;
+    const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
+    shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);
+    if (resized) c.repeats_draws = 0;  // draws go by pixels, and those are others
     frame.lightVisibility = lightVisibility_;
     const RealtimeJob job{backendScene, frame, previous ? *previous : frame.camera, c, motion_,
-                          images_.views()};
+                          images_.views(), heat_.views()};
     const auto run = [&](RealtimePass pass) {
         if (cancel.load()) return;
         const auto passStart = Clock::now();
@@ -119,8 +137,8 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
         run(RealtimePass::gradient_reproject);  // pixels that will tell what has changed
     run(RealtimePass::lighting);      // three noisy channels
     for (const DenoisePass& pass : denoisePasses(plan.denoiser)) filter(pass);  // less noisy ones
-    run(RealtimePass::composite);     // together again
-    run(RealtimePass::resolve);       // smooth edges, output size
+    filter(compositePass);            // together again
+    filter(resolvePass);              // smooth edges, output size
 
     const auto displayStart = Clock::now();
     result.exposureEv = frame.exposureEv;

@@ -1,96 +1,178 @@
 #include "frame/realtime_images.h"
 
+#include <cstring>
+#include <span>
 #include <utility>
 
 namespace gp {
 namespace {
 
-constexpr RealtimeImageInfo infos[] = {
-#define X(name, format, size, copies, meaning) \
-    {#name, RealtimeFormat::format, RealtimeSize::size, copies, meaning},
-#include "shared/realtime_images.def"
-#undef X
-};
+using Layer = RealtimeImage;
 
-// Images that the denoisers need for a moment, in memory that nothing else needs then: the colour
-// is composed when they are done, and what the last frame hit matters only before this one is lit.
-// Not any image that the temporal pass reads: it writes both of these.
-struct Loan {
-    RealtimeImage image, owner;
+// Memory of images that have no use for it from some pass on, and who lives there then, side by
+// side. Homes of the same memory are lived in one after the other. What the last frame left (the
+// `previous` copies) is history from which on no pass reads it.
+struct Home {
+    RealtimeImage first, last;  // neighbours in the table
     bool previous;
+    std::span<const RealtimeImage> lodgers;
 };
-static_assert(infos[realtimeLayerCount - 1].copies > 0 && infos[realtimeLayerCount].copies == 0,
-              "images without memory of their own come last");
-constexpr Loan loans[] = {
-    {RealtimeImage::direct_other, RealtimeImage::color, false},
-    {RealtimeImage::specular_other, RealtimeImage::hit, true},
+constexpr Layer beforeLighting[] = {Layer::view, Layer::throughput};
+constexpr Layer whileBlocksAreFiltered[] = {
+    Layer::gradient_scale, Layer::gradient_other,       Layer::gradient_scale_other,
+    Layer::indirect_low,   Layer::indirect_low_chroma,  Layer::indirect_other,
+    Layer::indirect_other_chroma};
+constexpr Layer whilePixelsAreFiltered[] = {Layer::direct_other, Layer::specular_other};
+constexpr Layer afterAtrous[] = {Layer::indirect, Layer::indirect_chroma};
+constexpr Layer afterDenoising[] = {Layer::color};
+constexpr Home homes[] = {
+    // The last pass writes it.
+    {Layer::output, Layer::output, false, beforeLighting},
+    // Lighting is the last to ask what was hit.
+    {Layer::hit, Layer::barycentrics, true, whileBlocksAreFiltered},
+    {Layer::hit, Layer::barycentrics, true, afterDenoising},
+    // The temporal pass is the last to ask what was there.
+    {Layer::depth, Layer::luma, true, whilePixelsAreFiltered},
+    {Layer::depth, Layer::luma, true, afterAtrous},
 };
 
-size_t pixels(glm::ivec2 size) { return size_t(size.x) * size_t(size.y); }
+constexpr size_t aligned(size_t bytes) { return (bytes + 63) & ~size_t(63); }
+
+constexpr bool layersComeFirst() {
+    for (size_t i = 0; i < realtimeImageCount; ++i)
+        if ((realtimeImageInfos[i].memory == RealtimeMemory::SCRATCH) !=
+            (i >= realtimeLayerCount))
+            return false;
+    return true;
+}
+static_assert(layersComeFirst());
+
+size_t bytesOf(const RealtimeViews& views, RealtimeImage image) {
+    const RealtimeImageInfo& info = realtimeImageInfo(image);
+    const glm::ivec2 size = views.size[size_t(info.size)];
+    return aligned(size_t(size.x) * size_t(size.y) * bytesPerPixel(info.format));
+}
 
 }  // namespace
-
-const RealtimeImageInfo& realtimeImageInfo(RealtimeImage image) { return infos[size_t(image)]; }
 
 uint32_t bytesPerPixel(RealtimeFormat format) {
     switch (format) {
         case RealtimeFormat::HALF4:
         case RealtimeFormat::UINT2: return 8;
+        case RealtimeFormat::UNORM2: return 2;
         default: return 4;
     }
+}
+
+glm::ivec2 nearestPixel(glm::ivec2 pixel, glm::ivec2 size, glm::ivec2 otherSize) {
+    return {int((int64_t(2 * pixel.x) + 1) * otherSize.x / (2 * size.x)),
+            int((int64_t(2 * pixel.y) + 1) * otherSize.y / (2 * size.y))};
 }
 
 glm::ivec2 RealtimeImages::size(RealtimeImage image) const {
     return views_.size[size_t(realtimeImageInfo(image).size)];
 }
 
-void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output) {
-    RealtimeViews views{};
-    views.size[size_t(RealtimeSize::FULL)] = full;
-    views.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
-    views.size[size_t(RealtimeSize::OUTPUT)] = output;
-    std::array<std::vector<std::byte>, realtimeImageCount> current, previous;
-    for (size_t i = 0; i < realtimeImageCount; ++i) {
-        if (infos[i].copies == 0) continue;
-        const size_t bytes = pixels(views.size[size_t(infos[i].size)]) *
-                             gp::bytesPerPixel(infos[i].format);
-        current[i].resize(bytes);
-        views.current[i] = current[i].data();
-        if (infos[i].copies < 2) continue;
-        previous[i].resize(bytes);
-        views.previous[i] = previous[i].data();
-    }
-    current_.swap(current), previous_.swap(previous);
-    views_ = views;
-    lend();
+bool RealtimeImages::holds(RealtimeImage image) const {
+    const bool isFiltered = image == Layer::indirect || image == Layer::indirect_chroma;
+    return views_.current[size_t(image)] && (filtered || !isFiltered);
 }
 
-void RealtimeImages::lend() {
-    for (const Loan& loan : loans)
-        views_.current[size_t(loan.image)] =
-            (loan.previous ? views_.previous : views_.current)[size_t(loan.owner)];
+// In tiny frames, where alignment counts for more than pixels, some find no room.
+void RealtimeImages::lodge(Places& places) const {
+    for (const Home& home : homes) {
+        size_t next = places[size_t(home.first)].offset;
+        const size_t end = places[size_t(home.last)].offset + bytesOf(views_, home.last);
+        for (const RealtimeImage lodger : home.lodgers) {
+            const size_t bytes = bytesOf(views_, lodger);
+            if (next + bytes > end) continue;
+            places[size_t(lodger)] = {home.previous ? Set::previous : Set::current, next};
+            next += bytes;
+        }
+    }
+}
+
+void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
+    RealtimeImages made(lends_);
+    made.views_.size[size_t(RealtimeSize::FULL)] = full;
+    made.views_.size[size_t(RealtimeSize::THIRD)] = (full + 2) / 3;
+    made.views_.size[size_t(RealtimeSize::OUTPUT)] = output;
+    const auto place = [&](Set set, size_t i, size_t& end) {
+        made.places_[i] = {set, end};
+        end += bytesOf(made.views_, RealtimeImage(i));
+    };
+    const auto isWanted = [&](RealtimeMemory memory) {
+        return memory == RealtimeMemory::OWN || (memory == RealtimeMemory::REUSE && reuse.light) ||
+               (memory == RealtimeMemory::INDIRECT_REUSE && reuse.indirect);
+    };
+    size_t twice = 0, once = 0;
+    for (size_t i = 0; i < realtimeImageCount; ++i)
+        if (realtimeImageInfos[i].copies == 2 && isWanted(realtimeImageInfos[i].memory))
+            place(Set::current, i, twice);
+    if (lends_) made.lodge(made.places_);
+    for (size_t i = 0; i < realtimeImageCount; ++i)
+        if (realtimeImageInfos[i].copies == 1 && made.places_[i].set == Set::none)
+            place(Set::single, i, once);
+    made.current_.resize(twice), made.previous_.resize(twice), made.single_.resize(once);
+    made.reuse_ = reuse;
+    take(made);
+}
+
+void RealtimeImages::take(RealtimeImages& made) {
+    current_.swap(made.current_), previous_.swap(made.previous_), single_.swap(made.single_);
+    places_ = made.places_, views_ = made.views_;
+    reuse_ = made.reuse_;
+    point();
+}
+
+void RealtimeImages::rescale(glm::ivec2 full) {
+    RealtimeImages made(lends_);
+    made.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)], reuse_);
+    for (size_t i = 0; i < realtimeImageCount; ++i) {
+        const RealtimeImageInfo& info = realtimeImageInfos[i];
+        const bool stays = info.memory != RealtimeMemory::LENT &&
+                           info.memory != RealtimeMemory::SCRATCH;
+        if (!stays || !views_.current[i]) continue;
+        const glm::ivec2 from = views_.size[size_t(info.size)];
+        const glm::ivec2 to = made.views_.size[size_t(info.size)];
+        const size_t bytes = gp::bytesPerPixel(info.format);
+        std::byte* out = made.views_.current[i];
+        for (int y = 0; y < to.y; ++y)
+            for (int x = 0; x < to.x; ++x, out += bytes) {
+                const glm::ivec2 p = nearestPixel({x, y}, to, from);
+                const size_t index = size_t(p.y) * size_t(from.x) + size_t(p.x);
+                std::memcpy(out, views_.current[i] + index * bytes, bytes);
+            }
+    }
+    take(made);
+}
+
+void RealtimeImages::point() {
+    for (size_t i = 0; i < realtimeImageCount; ++i) {
+        std::byte* const sets[] = {nullptr, current_.data(), previous_.data(), single_.data()};
+        const Place& place = places_[i];
+        std::byte* const set = sets[size_t(place.set)];
+        views_.current[i] = set ? set + place.offset : nullptr;
+        const bool twice = set && realtimeImageInfos[i].copies == 2;
+        views_.previous[i] = twice ? previous_.data() + place.offset : nullptr;
+    }
 }
 
 void RealtimeImages::swap() {
-    for (size_t i = 0; i < realtimeImageCount; ++i) {
-        if (infos[i].copies < 2) continue;
-        current_[i].swap(previous_[i]);
-        std::swap(views_.current[i], views_.previous[i]);
-    }
-    lend();
+    current_.swap(previous_);
+    point();
 }
 
 uint64_t RealtimeImages::bytes() const {
-    uint64_t sum = 0;
-    for (size_t i = 0; i < realtimeImageCount; ++i) sum += current_[i].size() + previous_[i].size();
-    return sum;
+    return current_.size() + previous_.size() + single_.size();
 }
 
 size_t RealtimeImages::bytesPerPixel() {
     size_t full = 0, third = 0;
-    for (const RealtimeImageInfo& info : infos)
-        (info.size == RealtimeSize::THIRD ? third : full) +=
-            info.copies * gp::bytesPerPixel(info.format);
+    for (const RealtimeImageInfo& info : realtimeImageInfos)
+        if (info.memory == RealtimeMemory::OWN)
+            (info.size == RealtimeSize::THIRD ? third : full) +=
+                info.copies * gp::bytesPerPixel(info.format);
     return full + (third + 8) / 9;
 }
 

@@ -4,41 +4,63 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 namespace gp {
 
-enum class RealtimeFormat : uint8_t { FLOAT1, HALF2, HALF4, POSITIVE3, UNORM4, UINT1, UINT2 };
+enum class RealtimeFormat : uint8_t {
+    FLOAT1, HALF2, HALF4, POSITIVE3, RGB9E5, UNORM2, UNORM4, UINT1, UINT2
+};
 enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT };
+enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, LENT, SCRATCH };
 
 enum class RealtimeImage : uint32_t {
-#define X(name, format, size, copies, meaning) name,
+#define X(name, format, size, copies, memory, meaning) name,
 #include "shared/realtime_images.def"
 #undef X
     count
 };
 constexpr size_t realtimeImageCount = size_t(RealtimeImage::count);
-// Those with memory of their own, which come first: what can be looked at.
-constexpr size_t realtimeLayerCount = 0
-#define X(name, format, size, copies, meaning) + (copies > 0 ? 1 : 0)
-#include "shared/realtime_images.def"
-#undef X
-    ;
 
 struct RealtimeImageInfo {
     const char* name;
     RealtimeFormat format;
     RealtimeSize size;
     uint32_t copies;
+    RealtimeMemory memory;
     const char* meaning;
 };
-const RealtimeImageInfo& realtimeImageInfo(RealtimeImage image);
+constexpr RealtimeImageInfo realtimeImageInfos[realtimeImageCount] = {
+#define X(name, format, size, copies, memory, meaning)                                        \
+    {#name, RealtimeFormat::format, RealtimeSize::size, copies, RealtimeMemory::memory, meaning},
+#include "shared/realtime_images.def"
+#undef X
+};
+constexpr const RealtimeImageInfo& realtimeImageInfo(RealtimeImage image) {
+    return realtimeImageInfos[size_t(image)];
+}
 uint32_t bytesPerPixel(RealtimeFormat format);
+// The pixel of an image of `otherSize` that lies under the middle of `pixel` in one of `size`.
+glm::ivec2 nearestPixel(glm::ivec2 pixel, glm::ivec2 size, glm::ivec2 otherSize);
 
-// Where the kernels find the pixels, row after row; `previous` is null where there is one copy.
+// Those that can be looked at when a frame is done, which come first.
+constexpr size_t realtimeLayerCount = 0
+#define X(name, format, size, copies, memory, meaning) \
+    + (RealtimeMemory::memory != RealtimeMemory::SCRATCH ? 1 : 0)
+#include "shared/realtime_images.def"
+#undef X
+    ;
+
+// Which images the options ask for, beside those that every frame has.
+struct ReuseImages {
+    bool light = false, indirect = false;
+    bool operator==(const ReuseImages&) const = default;
+};
+
+// Where the kernels find the pixels, row after row; `previous` is null where there is one copy,
+// both are where the frame's options need no such image.
 struct RealtimeViews {
     glm::ivec2 size[3];  // by RealtimeSize
     std::byte* current[realtimeImageCount];
@@ -47,23 +69,48 @@ struct RealtimeViews {
 
 class RealtimeImages {
 public:
-    // `full`: of rays; `output`: of the picture. All zeros. Throws std::bad_alloc.
-    void resize(glm::ivec2 full, glm::ivec2 output);
+    // `lends`: images share memory as the table says. Tests compare with frames that do not.
+    explicit RealtimeImages(bool lends = true) : lends_(lends) {}
+    RealtimeImages(const RealtimeImages&) = delete;
+    RealtimeImages& operator=(const RealtimeImages&) = delete;
+
+    // `full`: of rays; `output`: of the picture, not smaller. All zeros. Throws std::bad_alloc.
+    void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse = {});
+    // Another size of rays for the same picture: what the last frame left for the next stays, each
+    // new pixel taking that of the nearest old one. Throws std::bad_alloc, nothing changed then.
+    void rescale(glm::ivec2 full);
     // What this frame writes becomes what the next one remembers.
     void swap();
     const RealtimeViews& views() const { return views_; }
     glm::ivec2 size(RealtimeImage image) const;
+    // Whether the image can be looked at, now that the frame is done.
+    bool holds(RealtimeImage image) const;
+    ReuseImages reuse() const { return reuse_; }
     uint64_t bytes() const;
-    // Of all images together where output and full are of one size, rounded up.
+    // Of all images together where output and full are of one size, without any reuse; rounded
+    // up.
     static size_t bytesPerPixel();
 
     bool filtered = false;  // a denoiser has run over the light
 
 private:
-    void lend();
+    enum class Set : uint8_t { none, current, previous, single };
+    struct Place {
+        Set set = Set::none;
+        size_t offset = 0;
+    };
+    using Places = std::array<Place, realtimeImageCount>;
 
-    std::array<std::vector<std::byte>, realtimeImageCount> current_, previous_;
+    void lodge(Places& places) const;
+    void point();
+    void take(RealtimeImages& made);
+
+    bool lends_;
+    // Images of two copies: this frame's and the last one's, in turns; then all others.
+    std::vector<std::byte> current_, previous_, single_;
+    Places places_;
     RealtimeViews views_{};
+    ReuseImages reuse_;
 };
 
 }  // namespace gp

@@ -20,9 +20,11 @@ struct RealtimePlan {
     uint32_t mirrorLimit = 4;     // reflections and refractions before the surface that is shown
     AntiAliasing antiAliasing = AntiAliasing::temporal;
     LightReuse lightReuse = LightReuse::none;
+    LightReuse indirectReuse = LightReuse::none;
     Denoiser denoiser = Denoiser::asvgf;
     DenoiserParameters parameters;
     bool resetHistory = false;
+    bool heatMaps = false;
     float timeStep = 1.0f / 60;   // seconds since the last frame
     EyeAdaptation eye;
 };

@@ -7,6 +7,7 @@
 
 #include <immintrin.h>
 
+#include "frame/heat_maps.h"
 #include "shading/shading.h"
 #include "shared/realtime_structs.h"
 #include "shared/scene_structs.h"
@@ -35,9 +36,12 @@ struct Reader : ImageAccess {
     // Numbers that a person can look at.
     vec4 shown(RealtimeImage, float v) { return vec4(v, v, v, 1); }
     vec4 shown(RealtimeImage, vec2 v) { return vec4(v, 0, 1); }
+    vec4 shown(RealtimeImage, vec3 v) { return vec4(v, 1); }
     vec4 shown(RealtimeImage, vec4 v) { return v; }
     vec4 shown(RealtimeImage which, uint v) {
-        if (which == RealtimeImage::view) return vec4(octahedral_decode(v), 1);
+        if (which == RealtimeImage::normal || which == RealtimeImage::unmapped_normal ||
+            which == RealtimeImage::indirect_from)
+            return vec4(octahedral_decode(v), 1);
         if (which == RealtimeImage::barycentrics) {
             const vec2 b = unpack_barycentrics(v);
             return vec4(b, 1.0f - b.x - b.y, 1);
@@ -49,7 +53,6 @@ struct Reader : ImageAccess {
         return vec4(float(v), 0, 0, 1);
     }
     vec4 shown(RealtimeImage which, uvec2 v) {
-        if (which == RealtimeImage::normal) return vec4(octahedral_decode(v.x), 1);
         if (which == RealtimeImage::indirect_guide)
             return vec4(octahedral_decode(v.y), std::bit_cast<float>(v.x));
         return vec4(float(v.x), float(v.y), 0, 1);
@@ -57,7 +60,7 @@ struct Reader : ImageAccess {
 
     vec4 layer(RealtimeImage which, ivec2 p) {
         switch (which) {
-#define X(name, format, size, copies, meaning) \
+#define X(name, format, size, copies, memory, meaning) \
             case RealtimeImage::name: return shown(which, load_##name(p));
 #include "shared/realtime_images.def"
 #undef X
@@ -71,7 +74,7 @@ struct Reader : ImageAccess {
             case FrameImage::albedo: return vec4(vec3(albedo) + vec3(specular), 1);
             case FrameImage::normal:
                 return load_hit(p).x == HIT_NOTHING
-                           ? vec4(0) : vec4(octahedral_decode(load_normal(p).x), 0);
+                           ? vec4(0) : vec4(octahedral_decode(load_normal(p)), 0);
             case FrameImage::emission: return vec4(vec3(load_emission(p)), 1);
             case FrameImage::direct:
                 return vec4(vec3(albedo) * vec3(load_direct(p)) +
@@ -86,6 +89,16 @@ struct Reader : ImageAccess {
         }
     }
 
+    // As denoisers have found it. The channels' rays are independent, nearly.
+    vec4 variance(ivec2 p) {
+        if ((unpack_material(load_material(p)).flags & (REALTIME_SKY | REALTIME_UNLIT)) != 0u)
+            return vec4(0);
+        const vec3 of(load_direct_history(p).w, load_indirect_history_chroma(p / 3).w,
+                      load_specular_history(p).w);
+        const float diffuse = luminance(vec3(load_albedo(p)));
+        const float specular = luminance(vec3(load_specular_albedo(p)));
+        return vec4(diffuse * diffuse * (of.x + of.y) + specular * specular * of.z, of);
+    }
 };
 #pragma GCC diagnostic pop
 
@@ -96,8 +109,7 @@ void eachPixel(const RealtimeImages& images, RealtimeSize which, T* out, const F
     const ivec2 size = images.views().size[size_t(which)];
     for (int y = 0; y < output.y; ++y)
         for (int x = 0; x < output.x; ++x)
-            *out++ = f(ivec2(int((int64_t(2 * x) + 1) * size.x / (2 * output.x)),
-                             int((int64_t(2 * y) + 1) * size.y / (2 * output.y))));
+            *out++ = f(nearestPixel(ivec2(x, y), output, size));
 }
 
 }  // namespace
@@ -110,6 +122,19 @@ void readRealtimeLayer(const RealtimeImages& images, RealtimeImage which, glm::v
                   [&](ivec2 p) { return reader.layer(which, p / 3); });
     else
         eachPixel(images, size, pixels, [&](ivec2 p) { return reader.layer(which, p); });
+}
+
+void readHeatLayer(const HeatMaps& heat, const RealtimeImages& images, HeatLayer which,
+                   glm::vec4* pixels) {
+    Reader reader(images);
+    const std::vector<float>& map =
+        which == HeatLayer::rays ? heat.rays() : heat.microseconds();
+    const size_t width = size_t(images.views().size[size_t(RealtimeSize::FULL)].x);
+    eachPixel(images, RealtimeSize::FULL, pixels, [&](ivec2 p) {
+        return which == HeatLayer::variance
+                   ? reader.variance(p)
+                   : vec4(vec3(map[size_t(p.y) * width + size_t(p.x)]), 1);
+    });
 }
 
 void readRealtimeImage(const RealtimeImages& images, FrameImage which, void* pixels) {

@@ -68,10 +68,11 @@ Window readWindow(Cursor& in) {
     return {v[2] - v[0] + 1, v[3] - v[1] + 1};
 }
 
-// Name, pixel type, linearity, two samplings, each channel; an empty name ends the list.
+// Name, pixel type, linearity, two samplings, each channel; an empty name ends the list. OpenEXR
+// reads up to that name, wherever it stands.
 uint64_t countChannels(Cursor& in, size_t end) {
     uint64_t count = 0;
-    while (in.position < end && !in.text().empty()) {
+    while (!in.text().empty()) {
         in.take(8);
         const int32_t x = in.int32(), y = in.int32();
         if (x < 1 || y < 1) in.source.fail("damaged EXR: bad sampling of a channel");
@@ -83,7 +84,8 @@ uint64_t countChannels(Cursor& in, size_t end) {
 
 // OpenEXR reads values of these types by their own size whatever the file says, and so would
 // leave our path through the header.
-void checkFixedSize(Cursor& in, std::string_view name, std::string_view type, int32_t size) {
+void checkFixedSize(const ImageSource& source, std::string_view name, std::string_view type,
+                    int32_t size) {
     struct Fixed {
         std::string_view type;
         int32_t size;
@@ -98,13 +100,31 @@ void checkFixedSize(Cursor& in, std::string_view name, std::string_view type, in
                                {"v3f", 12},        {"v3d", 24},     {"deepImageState", 1}};
     for (const Fixed& f : fixed)
         if (f.type == type && f.size != size)
-            in.source.fail("damaged EXR: attribute '" + std::string(name) + "' has a wrong size");
+            source.fail("damaged EXR: attribute '" + std::string(name) + "' has a wrong size");
+}
+
+// The same for types of which it reads as much as their own numbers say.
+void checkOwnSize(const Cursor& begin, std::string_view name, std::string_view type,
+                  int32_t size) {
+    Cursor in = begin;
+    const size_t end = in.position + size_t(size);
+    bool right = type != "floatvector" || size % 4 == 0;
     if (type == "preview") {
-        Cursor copy = in;
-        const uint64_t w = uint32_t(copy.int32()), h = uint32_t(copy.int32());
-        if (size < 8 || (h > 0 && w > (uint64_t(size) - 8) / 4 / h))
-            in.source.fail("damaged EXR: the preview is larger than its attribute");
+        const uint64_t w = uint32_t(in.int32()), h = uint32_t(in.int32());
+        const uint64_t pixels = (uint64_t(std::max(size, 8)) - 8) / 4;
+        right = size >= 8 && size % 4 == 0 &&
+                (w == 0 || h == 0 ? pixels == 0 : h <= pixels / w && w * h == pixels);
     }
+    if (type == "stringvector") {
+        while (right && in.position < end) {
+            const int32_t length = in.int32();
+            right = length >= 0 && in.position <= end && size_t(length) <= end - in.position;
+            if (right) in.take(size_t(length));
+        }
+    }
+    if (!right)
+        in.source.fail("damaged EXR: attribute '" + std::string(name) +
+                       "' is not as long as its parts");
 }
 
 // Reads one attribute; false at the end of the header.
@@ -118,7 +138,8 @@ bool readAttribute(Cursor& in, Part& part) {
         in.source.fail("damaged EXR: attribute '" + std::string(name) +
                        "' is longer than the file");
     const size_t end = begin + size_t(size);
-    checkFixedSize(in, name, type, size);
+    checkFixedSize(in.source, name, type, size);
+    checkOwnSize(in, name, type, size);
     if (type == "box2i" && name == "dataWindow") part.data = readWindow(in);
     if (type == "box2i" && name == "displayWindow") part.display = readWindow(in);
     if (type == "chlist") part.channels = countChannels(in, end);

@@ -1,6 +1,7 @@
 // PNG through libpng. libpng reports errors by longjmp, which must not pass over destructors:
 // everything between setjmp and the end of a call works on plain pointers owned by the caller.
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 
 #include <png.h>
@@ -14,6 +15,7 @@ namespace gp::io {
 namespace {
 
 constexpr size_t signatureBytes = 8;
+constexpr size_t harmlessBlock = size_t(8) << 20;
 
 // The state of one reading; `message` receives libpng's words.
 struct PngReader {
@@ -22,6 +24,7 @@ struct PngReader {
     const uint8_t* data = nullptr;
     size_t size = 0;
     size_t position = 0;
+    size_t largestBlock = harmlessBlock;  // of memory that libpng may ask for
     char message[128] = "";
 
     ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
@@ -45,6 +48,14 @@ void onError(png_structp png, png_const_charp text) {
 
 void onWarning(png_structp, png_const_charp) {}
 
+// libpng only warns of chunks above its own limit, and then makes room for them all the same.
+png_voidp onAllocate(png_structp png, png_alloc_size_t size) {
+    const PngReader& reader = *static_cast<PngReader*>(png_get_mem_ptr(png));
+    return size <= reader.largestBlock ? std::malloc(size) : nullptr;
+}
+
+void onFree(png_structp, png_voidp block) { std::free(block); }
+
 void onRead(png_structp png, png_bytep target, png_size_t count) {
     PngReader& reader = *static_cast<PngReader*>(png_get_io_ptr(png));
     if (count > reader.size - reader.position) png_error(png, "the file ends too early");
@@ -64,7 +75,7 @@ bool readHeader(PngReader& r) {
     if (setjmp(png_jmpbuf(r.png))) return false;
     // Sizes are our business (checkImageSize); text and profiles are not worth memory.
     png_set_user_limits(r.png, 0x7fffffffu, 0x7fffffffu);
-    png_set_chunk_malloc_max(r.png, 8u << 20);
+    png_set_chunk_malloc_max(r.png, harmlessBlock);
     png_set_chunk_cache_max(r.png, 64);
     png_set_read_fn(r.png, &r, onRead);
     png_read_info(r.png, r.info);
@@ -118,7 +129,8 @@ Image decodePng(const ImageSource& source) {
     PngReader r;
     r.data = source.data();
     r.size = source.bytes.size();
-    r.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &r, onError<PngReader>, onWarning);
+    r.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &r, onError<PngReader>, onWarning, &r,
+                                     onAllocate, onFree);
     if (r.png) r.info = png_create_info_struct(r.png);
     if (!r.info) throw std::bad_alloc();
     if (!readHeader(r)) source.fail(std::string("damaged PNG: ") + r.message);
@@ -127,6 +139,7 @@ Image decodePng(const ImageSource& source) {
     const uint32_t height = png_get_image_height(r.png, r.info);
     // Deflate turns one byte into at most 1,032; a pixel has at least one bit.
     checkImageSize(source, width, height, 1032 * 8);
+    r.largestBlock += size_t(width) * 8;  // a row
     const bool wide = png_get_bit_depth(r.png, r.info) == 16;
     if (wide) {
         std::vector<uint16_t> values(size_t(width) * height * 4);

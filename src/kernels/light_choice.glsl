@@ -7,6 +7,7 @@
 #define GP_KERNELS_LIGHT_CHOICE_GLSL
 #include "kernels/environment.glsl"
 #include "kernels/material.glsl"
+#include "kernels/sky.glsl"
 #include "shading/colour.glsl"
 #include "shading/light/directional.glsl"
 #include "shading/light/rectangle.glsl"
@@ -304,6 +305,9 @@ ChosenLight chosen_light_point(IN(LightChoice) choice, vec3 p, vec2 u) {
     if (choice.pmf <= 0.0f) { return c; }
     if (choice.light != LIGHT_ENVIRONMENT) {
         c.point = sample_local_light(choice.light, p, u);
+        // No ray would meet a lamp that is farther away than rays are long.
+        bool beyond = c.point.distance > load_frame().ray_length;
+        if (beyond && c.point.distance < FLOAT_MAX) { c.point = light_sample_none(); }
         return c;
     }
     EnvironmentSample e = environment_sample(u);
@@ -320,8 +324,9 @@ ChosenLight choose_light_point(IN(LightGroups) g, vec3 p, vec3 normal, float u_c
 }
 
 vec3 chosen_light_radiance(IN(ChosenLight) c) {
-    return c.light == LIGHT_ENVIRONMENT ? environment_radiance_at(c.environment_uv)
-                                        : c.point.radiance;
+    if (c.light != LIGHT_ENVIRONMENT) { return c.point.radiance; }
+    return sky_is_traced(false) ? sky_background(c.point.wi, 0.0f)
+                                : environment_radiance_at(c.environment_uv);
 }
 
 // The density in solid angle with which sample_local_light leads from p to the point p + to_light

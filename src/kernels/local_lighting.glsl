@@ -133,7 +133,7 @@ LocalLight light_by_frequency(IN(PathState) path, IN(MaterialRecord) m, IN(Local
 // as direct light, what comes from all sides as indirect light.
 void path_light_locally(INOUT(PathState) path) {
     if (path.hit.instance == HIT_NOTHING) {
-        path_end(path, sky_light(path.from, path.ray.direction));
+        path_end(path, sky_light(path.from, path.ray.direction, path.cone.spread, true));
         return;
     }
     if (path.hit.instance == HIT_LIGHT) {

@@ -9,6 +9,7 @@
 #include "kernels/environment.glsl"
 #include "kernels/light_choice.glsl"
 #include "kernels/material.glsl"
+#include "kernels/sky.glsl"
 #include "kernels/surface.glsl"
 #include "shading/colour.glsl"
 #include "shading/medium.glsl"
@@ -90,13 +91,16 @@ PathLight add_light(PathLight sum, vec3 light, uint depth) {
 }
 
 // Everything infinitely far that a ray meets, weighted against the shadow rays of the vertex it
-// left.
-vec3 sky_light(IN(PathVertex) from, vec3 direction) {
+// left. `spread` as in RayCone; of_camera: no surface lies between.
+vec3 sky_light(IN(PathVertex) from, vec3 direction, float spread, bool of_camera) {
     LET_REF(FrameConstants) f = load_frame();
     vec3 light = vec3(0.0f);
+    if (sky_is_traced(of_camera)) {
+        light = sky_background(direction, from.pdf > 0.0f ? 0.0f : spread);
+    }
     if (f.environment_power > 0.0f) {
         EnvironmentLight sky = environment_light(direction, from.pdf > 0.0f);
-        light = sky.radiance;
+        if (!sky_is_traced(of_camera)) { light = sky.radiance; }
         if (from.pdf > 0.0f) {
             float chosen = from.groups.resampled != 0u
                                ? 1.0f : from.groups.environment / from.groups.sum;
@@ -163,7 +167,7 @@ Ray ray_from(IN(Surface) s, vec3 direction, float t_max) {
     ray.origin = offset_ray_origin(s.position, dot(s.ng, direction) > 0.0f ? s.ng : -s.ng);
     ray.direction = direction;
     ray.t_min = 0.0f;
-    ray.t_max = t_max;
+    ray.t_max = min(t_max, load_frame().ray_length);
     return ray;
 }
 
@@ -364,7 +368,8 @@ void path_expect(IN(PathState) path) {
 // From what the path's ray met to the next ray, or to the end.
 void path_continue(INOUT(PathState) path) {
     if (path.hit.instance == HIT_NOTHING) {
-        path_end(path, sky_light(path.from, path.ray.direction));
+        path_end(path, sky_light(path.from, path.ray.direction, path.cone.spread,
+                                 path.depth == 0u));
         return;
     }
     if (path.attenuation != vec3(0.0f)) {

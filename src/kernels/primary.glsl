@@ -19,7 +19,9 @@ Ray camera_ray_of_pixel(IN(CameraParams) camera, uvec2 pixel, INOUT(Sampler) dra
     vec2 u_lens = vec2(0.0f);
     if (camera.lens_radius > 0.0f) { u_lens = sampler_next_2d(draws); }
     draws.dimension = CAMERA_DRAWS;
-    return camera_ray(camera, film, u_lens);
+    Ray ray = camera_ray(camera, film, u_lens);
+    ray.t_max = f.ray_length;
+    return ray;
 }
 
 #endif

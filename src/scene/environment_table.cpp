@@ -15,6 +15,9 @@ namespace {
 // 512 x 512 cells are 2 MB. Of an image twice as wide as high, a cell is then half as wide as high
 // on the sphere's equator.
 constexpr uint32_t maxSide = 512;
+constexpr uint32_t maxSkySide = 128;  // rebuilt between frames: 1 ms
+constexpr double skyFloor = 0.25;     // light that may appear anywhere is found soon enough
+constexpr double mostLight = 4;       // of a cell, over what its density says
 
 // As the caller handed it in.
 struct Pixels {
@@ -119,6 +122,52 @@ void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTabl
     }
 }
 
+// Means over the sphere.
+void measure(const Pixels& image, const std::vector<float>& luminance, EnvironmentTable& table) {
+    table.meanLuminance = 0, table.mean = glm::dvec3(0);
+    for (uint32_t y = 0; y < image.height; ++y) {
+        double row = 0;
+        glm::dvec3 rowColor(0);
+        for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i) {
+            const float* p = image.rgba + 4 * i;
+            row += double(luminance[i]);
+            rowColor += glm::dvec3(p[0], p[1], p[2]);
+        }
+        // The share of the sphere that a row of pixels covers.
+        const double share =
+            0.5 * (std::cos(M_PI * y / image.height) - std::cos(M_PI * (y + 1) / image.height));
+        table.meanLuminance += row / image.width * share;
+        table.mean += rowColor * (share / image.width);
+    }
+}
+
+// Adds `floor` times what each cell would weigh if the light came evenly from everywhere.
+void raise(std::vector<double>& weights, uint32_t side, double floor) {
+    double sum = 0;
+    for (double w : weights) sum += w;
+    for (uint32_t y = 0; y < side; ++y) {
+        const double share =
+            0.5 * (std::cos(M_PI * y / side) - std::cos(M_PI * (y + 1) / side)) / side;
+        for (uint32_t x = 0; x < side; ++x)
+            weights[shading::morton_from_cell({x, y})] += floor * sum * share;
+    }
+}
+
+std::shared_ptr<EnvironmentTable> makeTable(const Pixels& image, uint32_t mostSide, double floor) {
+    const std::vector<float> luminance = luminanceOf(image);
+    auto table = std::make_shared<EnvironmentTable>();
+    table->width = image.width, table->height = image.height;
+    measure(image, luminance, *table);
+    if (!(table->meanLuminance > 0)) return table;
+    table->side = std::min(mostSide, std::bit_ceil(std::max(image.width, image.height)));
+    std::vector<double> weights = cellWeights(image, luminance, table->side);
+    if (floor > 0) raise(weights, table->side, floor);
+    const double sum = roundWeights(weights, *table);
+    makeAliases(weights, sum, *table);
+    packTexels(image, *table);
+    return table;
+}
+
 }  // namespace
 
 glm::vec3 EnvironmentTable::radiance(uint32_t x, uint32_t y) const {
@@ -128,30 +177,29 @@ glm::vec3 EnvironmentTable::radiance(uint32_t x, uint32_t y) const {
 
 std::shared_ptr<const EnvironmentTable> makeEnvironmentTable(const float* rgba, uint32_t width,
                                                              uint32_t height) {
-    const Pixels image{rgba, width, height};
+    return makeTable({rgba, width, height}, maxSide, 0);
+}
+
+std::shared_ptr<EnvironmentTable> makeSkyTable(const float* rgba, uint32_t width,
+                                               uint32_t height) {
+    return makeTable({rgba, width, height}, maxSkySide, skyFloor);
+}
+
+bool refreshSkyTable(EnvironmentTable& table, const float* rgba) {
+    if (table.black()) return false;
+    const Pixels image{rgba, table.width, table.height};
     const std::vector<float> luminance = luminanceOf(image);
-    auto table = std::make_shared<EnvironmentTable>();
-    table->width = width, table->height = height;
-    for (uint32_t y = 0; y < height; ++y) {
-        double row = 0;
-        glm::dvec3 rowColor(0);
-        for (size_t i = size_t(y) * width, end = i + width; i < end; ++i) {
-            row += double(luminance[i]);
-            rowColor += glm::dvec3(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]);
-        }
-        // The share of the sphere that a row of pixels covers.
-        const double share =
-            0.5 * (std::cos(M_PI * y / height) - std::cos(M_PI * (y + 1) / height));
-        table->meanLuminance += row / width * share;
-        table->mean += rowColor * (share / width);
+    std::vector<double> weights = cellWeights(image, luminance, table.side);
+    double sum = 0;
+    for (double w : weights) sum += w;
+    for (size_t i = 0; i < weights.size(); ++i) {
+        const double share = double(table.density(uint32_t(i))) / double(weights.size());
+        if (!(weights[i] <= mostLight * share * sum)) return false;
     }
-    if (!(table->meanLuminance > 0)) return table;
-    table->side = std::min(maxSide, std::bit_ceil(std::max(width, height)));
-    std::vector<double> weights = cellWeights(image, luminance, table->side);
-    const double sum = roundWeights(weights, *table);
-    makeAliases(weights, sum, *table);
-    packTexels(image, *table);
-    return table;
+    if (!(sum > 0)) return false;
+    measure(image, luminance, table);
+    packTexels(image, table);
+    return true;
 }
 
 }  // namespace gp

@@ -53,4 +53,10 @@ inline float EnvironmentTable::density(uint32_t cell) const {
 std::shared_ptr<const EnvironmentTable> makeEnvironmentTable(const float* rgba, uint32_t width,
                                                              uint32_t height);
 
+// The same for skies that may be others in the next frame: coarser, and no direction is left out.
+std::shared_ptr<EnvironmentTable> makeSkyTable(const float* rgba, uint32_t width, uint32_t height);
+// Shows other radiance of the same size through such a table, directions chosen as before. False,
+// and nothing is changed, where too much of the light lies where the table seldom looks.
+bool refreshSkyTable(EnvironmentTable& table, const float* rgba);
+
 }  // namespace gp

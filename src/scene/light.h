@@ -33,6 +33,7 @@ struct Light {
                                     // its normal. Triangles (0, i, i + 1) make it up
     bool twoSided = false;          // rectangle, polygon
     bool visible = true;            // camera rays see spheres, rectangles and polygons
+    bool inScene = true;            // false: removed, while a handle is still there
     bool ofSky = false;             // the sun of setSky, which goes when its sky is replaced
 };
 

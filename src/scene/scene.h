@@ -12,7 +12,12 @@
 namespace gp {
 
 // What sees an instance, as bits.
-enum VisibilityBits : uint32_t { visibleToCamera = 1, visibleToBounce = 2, visibleToShadow = 4 };
+enum VisibilityBits : uint32_t {
+    visibleToCamera = 1,
+    visibleToBounce = 2,
+    visibleToShadow = 4,
+    visibleToSky = 8  // alone: sky geometry, which only rays that leave the scene meet
+};
 
 struct Instance {
     uint64_t id = 0;

@@ -175,6 +175,8 @@ std::shared_ptr<const EnvironmentTable> tableOf(const Sky& sky, const glm::dvec3
 }  // namespace
 
 void removeSkySun(Scene& scene) {
+    for (const auto& light : scene.lights)
+        if (light->ofSky) light->inScene = false;
     std::erase_if(scene.lights, [](const auto& light) { return light->ofSky; });
 }
 

@@ -8,6 +8,7 @@
 #include "shading/frame.glsl"
 #include "shading/colour.glsl"
 #include "shading/ycocg.glsl"
+#include "shading/rgb9e5.glsl"
 #include "shading/blending.glsl"
 #include "shading/sh.glsl"
 #include "shading/indirect_light.glsl"
@@ -35,6 +36,7 @@
 #include "shading/light/lamp_point.glsl"
 #include "shading/light/triangle.glsl"
 #include "shading/light/environment.glsl"
+#include "shading/light/cube_map.glsl"
 #include "shading/light/tree.glsl"
 
 #include "shading/special.glsl"

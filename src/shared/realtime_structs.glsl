@@ -11,7 +11,7 @@
 #define REALTIME_NO_HISTORY 2u    // nothing is known of where it was
 #define REALTIME_UNLIT 4u         // no light of the three channels reaches it
 
-// How shadow rays choose among lights that are not directional.
+// How shadow rays choose among lights that are not directional; and what is kept of bounce rays.
 #define LIGHT_REUSE_NONE 0u      // each by itself
 #define LIGHT_REUSE_BIASED 1u    // with what pixels of the last frame found, as if all saw the same
 #define LIGHT_REUSE_UNBIASED 2u  // the same, but those that could not have found it do not count
@@ -54,6 +54,8 @@ struct RealtimeConstants {
     uint light_reuse;        // LIGHT_REUSE_
     uint previous_lights;    // how many the last frame had
     uint relights;           // 1: a denoiser has run over the indirect light
+    uint indirect_reuse;     // LIGHT_REUSE_
+    uint scene_changed;      // 1: something is not as it was in the last frame
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"
 #undef X

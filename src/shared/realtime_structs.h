@@ -10,5 +10,5 @@ using namespace glm;
 #include "shared/realtime_structs.glsl"
 
 static_assert(offsetof(RealtimeConstants, frame_index) == 24);
-static_assert(offsetof(RealtimeConstants, direct_history_frames) == 60);
+static_assert(offsetof(RealtimeConstants, direct_history_frames) == 68);
 }  // namespace gp::shared

@@ -218,6 +218,12 @@ struct EnvironmentCell {
     uint alias;
 };
 
+// Bits of FrameConstants::sky. None: the environment is all that surrounds the scene, else its
+// table only says where light comes from.
+#define SKY_TRACED 1u  // sky geometry lies before it (kernels/sky.glsl)
+#define SKY_DRAWN 2u   // rasterised geometry too: rays see the table, but those of the camera do
+                       // not, into whose picture it is drawn later
+
 // What a frame is, for every kernel: gp::FramePlan and the scene's constants.
 struct FrameConstants {
     uint width;
@@ -241,6 +247,11 @@ struct FrameConstants {
     float tree_visibility;
     uint environment_cells;    // along each side of its sampling table; 0: uniform
     uint last_by_lights;       // 1: the last surface of a path has a shadow ray, but no other ray
+    float ray_length;          // metres: every ray ends there, and what lies beyond is sky
+    vec3 background_color;     // the scene's environment, where `sky` is not 0
+    uint sky;                  // SKY_ bits
+    vec3 sky_viewer;           // where sky geometry is seen from
+    uint background_image;     // 1: background_color multiplies an image
 };
 
 // Where GP_MODE_LOCAL computes light: GpShadingFrequency.

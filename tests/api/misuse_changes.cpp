@@ -103,10 +103,10 @@ void addTexCoordRows(Rows& rows) {
 void addInstanceRows(Rows& rows) {
     const Rows more = {
         {"gpNewInstance", "an unknown visibility by name", GP_ERROR_INVALID_ARGUMENT,
-         "visibility is 3", [](World& w) {
+         "visibility is 4", [](World& w) {
              GpInstanceDesc desc{};
              desc.mesh = w.mesh;
-             desc.visibility = anyEnum<GpVisibility>(3);
+             desc.visibility = anyEnum<GpVisibility>(4);
              return made(gpNewInstance(w.scene, &desc));
          }},
         {"gpNewInstance", "a colour above 1", GP_ERROR_OUT_OF_RANGE, "color[3] is 1.5",

@@ -130,6 +130,11 @@ Rows frameRows() {
                         float pixels[16];
                         return gpReadFrameLayer(f, "motion", pixels, sizeof pixels - 1);
                     }),
+        realtimeRow("gpReadFrameLayer", "heat that was not measured", GP_ERROR_INVALID_OPERATION,
+                    "heat_rays: it was rendered without options.realtime.heatMaps", [](GpFrame f) {
+                        float pixels[16];
+                        return gpReadFrameLayer(f, "heat_rays", pixels, sizeof pixels);
+                    }),
         realtimeRow("gpReadFrameImage", "variance of real time", GP_ERROR_INVALID_OPERATION,
                     "no variance image", [](GpFrame f) {
                         float pixels[16];

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
+#include <vector>
 
 #include "api/world.h"
 
@@ -44,6 +45,67 @@ Row environmentRow(const char* what, GpError expected, const char* message,
                 change(desc);
                 return gpSetEnvironment(w.scene, &desc);
             }};
+}
+
+// Six faces of 2 x 2 pixels, then what is wrong.
+Row cubemapRow(const char* what, GpError expected, const char* message,
+               void (*change)(World&, GpCubemapDesc&)) {
+    return {"gpSetCubemap", what, expected, message, [change](World& w) {
+                GpCubemapDesc desc{};
+                for (GpTexture& face : desc.faces) face = w.texture;
+                change(w, desc);
+                return gpSetCubemap(w.scene, &desc);
+            }};
+}
+
+GpTexture floatTexture(World& w, uint32_t width, uint32_t height, float value) {
+    const std::vector<float> pixels(size_t(width) * height * 4, value);
+    GpTextureDesc desc{};
+    desc.width = width, desc.height = height, desc.format = GP_FORMAT_RGBA32F;
+    desc.pixels = pixels.data();
+    return gpNewTexture(w.device, &desc);
+}
+
+Rows cubemapRows() {
+    Rows rows = {
+        {"gpSetCubemap", "no descriptor", GP_ERROR_INVALID_ARGUMENT, "desc is NULL",
+         [](World& w) { return gpSetCubemap(w.scene, nullptr); }},
+        {"gpSetCubemap", "a descriptor of zeros", GP_ERROR_INVALID_HANDLE, "faces[0] is NULL",
+         [](World& w) {
+             const GpCubemapDesc zeros{};
+             return gpSetCubemap(w.scene, &zeros);
+         }},
+        cubemapRow("a face is missing", GP_ERROR_INVALID_HANDLE, "faces[4] is NULL",
+                   [](World&, GpCubemapDesc& d) { d.faces[4] = nullptr; }),
+        cubemapRow("a face was released", GP_ERROR_INVALID_HANDLE, "faces[1] was released",
+                   [](World& w, GpCubemapDesc& d) { d.faces[1] = w.released.texture; }),
+        cubemapRow("a face of another device", GP_ERROR_INVALID_HANDLE,
+                   "faces[5] belongs to another device",
+                   [](World& w, GpCubemapDesc& d) { d.faces[5] = w.foreign.texture; }),
+        cubemapRow("a face is no square", GP_ERROR_INVALID_ARGUMENT, "faces[2] has 4 x 2 pixels",
+                   [](World& w, GpCubemapDesc& d) { d.faces[2] = floatTexture(w, 4, 2, 1); }),
+        cubemapRow("sizes differ", GP_ERROR_INVALID_ARGUMENT,
+                   "faces[3] is 4 pixels wide, but faces[0] 2",
+                   [](World& w, GpCubemapDesc& d) { d.faces[3] = floatTexture(w, 4, 4, 1); }),
+        cubemapRow("a pixel below 0", GP_ERROR_OUT_OF_RANGE, "pixel 0 of faces[5] is -1",
+                   [](World& w, GpCubemapDesc& d) { d.faces[5] = floatTexture(w, 2, 2, -1); }),
+        cubemapRow("color below 0", GP_ERROR_OUT_OF_RANGE, "color[2]",
+                   [](World&, GpCubemapDesc& d) { d.color[2] = -1; }),
+        cubemapRow("color is infinite", GP_ERROR_NOT_FINITE, "color[0]",
+                   [](World&, GpCubemapDesc& d) { d.color[0] = inf; }),
+        cubemapRow("a matrix that is NaN", GP_ERROR_NOT_FINITE, "worldFromCube[4] is nan",
+                   [](World&, GpCubemapDesc& d) { d.worldFromCube[4] = nan; }),
+        cubemapRow("a matrix that scales", GP_ERROR_OUT_OF_RANGE, "worldFromCube",
+                   [](World&, GpCubemapDesc& d) {
+                       d.worldFromCube[0] = d.worldFromCube[4] = d.worldFromCube[8] = 2;
+                   }),
+    };
+    addHandleRows<GpScene>(rows, "gpSetCubemap", "scene", [](World& w, GpScene s) {
+        GpCubemapDesc desc{};
+        for (GpTexture& face : desc.faces) face = w.texture;
+        return gpSetCubemap(s, &desc);
+    });
+    return rows;
 }
 
 Row skyRow(const char* what, GpError expected, const char* message, float azimuth, float elevation,
@@ -97,6 +159,41 @@ void addLightFieldRows(Rows& rows) {
         [](GpLightDesc& d) { d.edgeU[2] = nan; });
 }
 
+// A second handle of a light that was removed through its first.
+GpLight leftOver(World& w) {
+    const GpLightDesc zeros{};
+    const GpLight extra = gpNewLight(w.scene, &zeros);
+    GpSceneInfo info{};
+    gpGetSceneInfo(w.scene, &info);
+    GpLightDesc desc{};
+    GpLight other = nullptr;
+    gpGetSceneLight(w.scene, uint32_t(info.lights - 1), &desc, &other);
+    gpRemoveLight(extra);
+    return other;
+}
+
+void addSceneLightRows(Rows& rows) {
+    rows.push_back({"gpGetSceneLight", "past the end", GP_ERROR_OUT_OF_RANGE,
+                    "index is 1000, but the scene has", [](World& w) {
+                        GpLightDesc desc{};
+                        return gpGetSceneLight(w.scene, 1000, &desc, nullptr);
+                    }});
+    rows.push_back({"gpGetSceneLight", "no place for it", GP_ERROR_INVALID_ARGUMENT,
+                    "desc is NULL",
+                    [](World& w) { return gpGetSceneLight(w.scene, 0, nullptr, nullptr); }});
+    rows.push_back({"gpSetLight", "removed through another handle", GP_ERROR_INVALID_OPERATION,
+                    "no longer in its scene", [](World& w) {
+                        const GpLightDesc zeros{};
+                        return gpSetLight(leftOver(w), &zeros);
+                    }});
+    rows.push_back({"gpRemoveLight", "removed through another handle", GP_ERROR_INVALID_OPERATION,
+                    "no longer in its scene", [](World& w) { return gpRemoveLight(leftOver(w)); }});
+    addHandleRows<GpScene>(rows, "gpGetSceneLight", "scene", [](World&, GpScene s) {
+        GpLightDesc desc{};
+        return gpGetSceneLight(s, 0, &desc, nullptr);
+    });
+}
+
 }  // namespace
 
 Rows lightRows() {
@@ -120,6 +217,7 @@ Rows lightRows() {
          }},
     };
     addLightFieldRows(rows);
+    addSceneLightRows(rows);
     addHandleRows<GpScene>(rows, "gpNewLight", "scene", [](World&, GpScene s) {
         const GpLightDesc zeros{};
         return made(gpNewLight(s, &zeros));
@@ -201,6 +299,8 @@ Rows environmentRows() {
     });
     addHandleRows<GpScene>(rows, "gpSetSky", "scene",
                            [](World&, GpScene s) { return gpSetSky(s, 0, 1, 0); });
+    const Rows cubemaps = cubemapRows();
+    rows.insert(rows.end(), cubemaps.begin(), cubemaps.end());
     return rows;
 }
 

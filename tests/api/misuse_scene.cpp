@@ -82,6 +82,11 @@ Rows instanceRows() {
                     [](World&, GpInstanceDesc& d) { d.id = 7; }),
         instanceRow("unknown visibility", GP_ERROR_INVALID_ARGUMENT, "invisibleTo",
                     [](World&, GpInstanceDesc& d) { d.invisibleTo = 8; }),
+        instanceRow("sky that some rays do not see", GP_ERROR_INVALID_ARGUMENT,
+                    "invisibleTo is 0x2, but all rays see",
+                    [](World&, GpInstanceDesc& d) {
+                        d.visibility = GP_VISIBILITY_SKY, d.invisibleTo = GP_VISIBLE_BOUNCE;
+                    }),
         instanceRow("a transform that is NaN", GP_ERROR_NOT_FINITE, "worldFromObject[3] is nan",
                     [](World&, GpInstanceDesc& d) { d.worldFromObject[3] = nan; }),
         instanceRow("a transform that only moves", GP_ERROR_OUT_OF_RANGE, "cannot be inverted",

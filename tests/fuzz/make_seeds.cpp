@@ -30,6 +30,8 @@ int main(int argc, char** argv) {
     for (int k = 0; k < 10; ++k)
         writeFile(folder + "/image/" + std::to_string(k) + ".exr", sampleExr(ExrKind(k)));
     writeFile(folder + "/image/0.hdr", sampleHdr());
+    for (size_t k = 0; const Bytes& greedy : greedyImages())
+        writeFile(folder + "/image/greedy" + std::to_string(k++), greedy);
     for (const gp::io::PresetText& file : gp::io::presetTexts()) {
         const auto* bytes = reinterpret_cast<const std::byte*>(file.text.data());
         writeFile(folder + "/presets/" + file.name, {bytes, bytes + file.text.size()});

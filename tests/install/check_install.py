@@ -9,6 +9,8 @@ import subprocess
 import sys
 import zlib
 
+from check_game import check_interrupt, check_refusals, walk
+
 PICTURES = {
     "triangle": ["triangle.png"],
     "wrapper": ["wrapper.png"],
@@ -179,6 +181,14 @@ def main():
     check_movement([os.path.join(pictures, name) for name in PICTURES["dynamic_mesh"]])
     if os.path.getsize(os.path.join(pictures, "loaded.exr")) < 10000:
         sys.exit("loaded.exr is too small for four layers")
+
+    game = os.path.join(build, "corridor_game")
+    walked = walk(game, os.path.join(pictures, "corridor"))
+    for picture in walked:
+        check_picture(picture)
+    check_movement(walked)
+    check_refusals(game, pictures)
+    check_interrupt(game, os.path.join(pictures, "interrupted"))
 
     program = build_with_pkg_config(args, work, libraries)
     run([program, "pkg-config.png"], cwd=pictures,

@@ -220,6 +220,14 @@ TEST(BadImages, EveryTruncationIsAnError) {
     }
 }
 
+// The fuzzer starts from them too, under a limit of memory.
+TEST(BadImages, AskingForGigabytesIsAnError) {
+    const std::vector<Bytes> files = greedyImages();
+    EXPECT_NE(errorOf(files[0]).find("damaged PNG"), std::string::npos) << errorOf(files[0]);
+    EXPECT_EQ(errorOf(files[1]),
+              "some.file: damaged EXR: the list of channels has a wrong size");
+}
+
 TEST(BadImages, SizeIsCheckedBeforeAllocation) {
     EXPECT_EQ(errorOf(samplePng(PngKind::rgba), 14),
               "some.file: the image is too large (5 x 3 pixels; the limit is 14 pixels)");

@@ -56,5 +56,6 @@ enum class ExrKind { rgbaHalf, rgbFloat, tiled, lumaChroma, gray, uintRgb, layer
                      largeWindow, multiPart };
 Bytes sampleExr(ExrKind kind);      // display window 4 x 3: R = x, G = y, B = 7
 Bytes sampleHdr();                  // 16 x 2, runs
+std::vector<Bytes> greedyImages();  // small ones that ask for gigabytes
 
 }  // namespace gp::test

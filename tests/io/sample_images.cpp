@@ -246,4 +246,20 @@ Bytes sampleHdr() {
     return bytesOf(s);
 }
 
+std::vector<Bytes> greedyImages() {
+    using namespace std::string_literals;
+    // A chunk of text of almost 2 GiB.
+    Bytes png = samplePng(PngKind::rgba);
+    png.resize(8 + 25);  // signature and IHDR
+    for (const char c : "\x7a\x54\x58\x74zTXt"s) png.push_back(std::byte(c));
+    // A list of channels without its end: OpenEXR reads the next attribute as one more channel, and
+    // behind it finds an attribute of 1.75 GiB.
+    const Bytes inserted = bytesOf(
+        "channels\0chlist\0\x12\0\0\0R\0\2\0\0\0\0\0\0\0\1\0\0\0\1\0\0\0"
+        "x\0string\0\x0e\0\0\0?????\0y\0z\0\0\0\0\x70"s);
+    Bytes exr = sampleExr(ExrKind::rgbFloat);
+    exr.insert(exr.begin() + 8, inserted.begin(), inserted.end());
+    return {png, exr};
+}
+
 }  // namespace gp::test

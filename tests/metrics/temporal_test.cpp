@@ -22,6 +22,16 @@ Plane noise(float deviation, unsigned seed) {
     return plane;
 }
 
+// Against references without noise: both errors are one.
+ErrorPair twice(const Plane& error) {
+    return {error, error};
+}
+
+double flicker(const Plane& error, const Plane& previous, const Motion* motion = nullptr,
+               const Plane* seen = nullptr) {
+    return std::sqrt(squaredFlicker(twice(error), twice(previous), motion, seen));
+}
+
 Plane shifted(const Plane& plane, int right) {
     Plane result(plane.width, plane.height, 7.0f);
     for (int y = 0; y < plane.height; ++y) {
@@ -54,6 +64,26 @@ TEST(Flicker, OfWhiteNoiseIsItsDeviationTimesRootTwo) {
     // 6,144 pixels: the deviation of the estimate is about 1 %.
     EXPECT_NEAR(flicker(noise(0.1f, 1), noise(0.1f, 2)), 0.1 * std::sqrt(2.0), 0.005);
     EXPECT_NEAR(flicker(Plane(kWidth, kHeight, 0.25f), Plane(kWidth, kHeight, 0.0f)), 0.25, 1e-6);
+}
+
+Plane sum(const Plane& a, const Plane& b) {
+    Plane result = a;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        result.pixels[i] += b.pixels[i];
+    }
+    return result;
+}
+
+// Four times as much noise as the picture has, in references that are new in each frame.
+TEST(Flicker, NoiseOfReferencesIsNone) {
+    const Plane now = noise(0.1f, 1);
+    const Plane before = noise(0.1f, 2);
+    const ErrorPair errors{sum(now, noise(0.4f, 3)), sum(now, noise(0.4f, 4))};
+    const ErrorPair previous{sum(before, noise(0.4f, 5)), sum(before, noise(0.4f, 6))};
+    // The product of two changes of variance 0.02 + 0.32 deviates by 0.34 in each pixel.
+    const double deviation = 0.34 / std::sqrt(double(kWidth * kHeight));
+    EXPECT_NEAR(squaredFlicker(errors, previous), 0.02, 3 * deviation);
+    EXPECT_GT(flicker(errors.a, previous.a), 0.5);
 }
 
 TEST(Flicker, FollowsTheMotion) {
@@ -102,13 +132,26 @@ TEST(Afterglow, IsTheShareOfTheLightThatStillShows) {
         step.pixels[std::size_t(i)] = 0.01f * static_cast<float>(i);
     }
     Plane error = noise(0.3f, 5);
-    const double ofNoise = *afterglow(error, step);
+    const double ofNoise = *afterglow(twice(error), twice(step));
     EXPECT_NEAR(ofNoise, 0, 0.02);
     for (std::size_t i = 0; i < error.pixels.size(); ++i) {
         error.pixels[i] += 0.4f * step.pixels[i];
     }
-    EXPECT_NEAR(*afterglow(error, step), 0.4 + ofNoise, 1e-6);
-    EXPECT_FALSE(afterglow(error, Plane(kWidth, kHeight, 0.0f)));
+    EXPECT_NEAR(*afterglow(twice(error), twice(step)), 0.4 + ofNoise, 1e-6);
+    EXPECT_FALSE(afterglow(twice(error), twice(Plane(kWidth, kHeight, 0.0f))));
+}
+
+// The noise of a reference is in its error and in its step, with opposite signs of one root: the
+// product of both would take it for light that is gone.
+TEST(Afterglow, NoiseOfReferencesIsNone) {
+    const Plane light(kWidth, kHeight, 0.2f);
+    const Plane a = noise(0.3f, 1);
+    const Plane b = noise(0.3f, 2);
+    const ErrorPair errors{a, b};  // the light is gone: nothing but noise
+    const ErrorPair step{sum(light, a), sum(light, b)};
+    EXPECT_NEAR(*afterglow(errors, step), 0, 0.06);  // 0.3 (0.2 + 0.3) / 0.04 / sqrt(pixels), less
+    const Plane& own = step.a;
+    EXPECT_GT(*afterglow({a, a}, {own, own}), 0.5);
 }
 
 // A history of frames that keeps the share k: after n frames k^n is left.

@@ -51,11 +51,11 @@ struct AnalyticScene {
         if (p.sky) return sky;
         return 0.5f * (direct(p, u) + 0.5f * sky * (1 + p.normal.y));
     }
-    vec4 indirect(const Point& p, vec2 u, vec2 v) const {
-        const Frame frame = frame_from_normal(p.normal);
-        const vec3 d = world_from_local(frame, square_to_cosine_hemisphere(u));
-        const float light = along(p.position + p.normal * 1e-3f, d, v);
-        return vec4(light, d * light);
+    vec3 indirectFrom(const Point& p, vec2 u) const {
+        return world_from_local(frame_from_normal(p.normal), square_to_cosine_hemisphere(u));
+    }
+    vec3 indirect(const Point& p, vec3 from, vec2 v) const {
+        return vec3(along(p.position + p.normal * 1e-3f, from, v));
     }
 };
 
@@ -88,7 +88,8 @@ struct AnalyticSequence {
         LightPixel l;
         if (p.sky) return l;
         l.direct = vec3(world.direct(p, vec2(u(0), u(1))));
-        l.indirect = world.indirect(p, vec2(u(2), u(3)), vec2(u(4), u(5)));
+        l.indirectFrom = world.indirectFrom(p, vec2(u(2), u(3)));
+        l.indirect = world.indirect(p, l.indirectFrom, vec2(u(4), u(5)));
         return l;
     }
 

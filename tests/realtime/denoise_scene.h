@@ -40,8 +40,8 @@ struct SurfacePixel {
 
 struct LightPixel {
     vec3 direct{0};
-    vec4 indirect{0};
-    vec2 chroma{0};
+    vec3 indirect{0};
+    vec3 indirectFrom{0, 0, 1};
     vec4 specular{0};
 };
 
@@ -54,7 +54,7 @@ struct DenoiseScene {
     int32_t rowsAtOnce = 16;
     bool plain = false;  // without the optimised twins
 
-    explicit DenoiseScene(ivec2 size) {
+    explicit DenoiseScene(ivec2 size, bool lends = true) : memory(lends) {
         memory.resize(size, size);
         constants.size = size, constants.output_size = size;
         constants.repeats_draws = 1;
@@ -75,18 +75,19 @@ struct DenoiseScene {
     void setSurface(ivec2 p, const SurfacePixel& s) const {
         images.store_depth(p, s.depth);
         const uint normal = octahedral_encode(s.normal);
-        images.store_normal(p, uvec2(normal));
+        images.store_normal(p, normal);
+        images.store_unmapped_normal(p, normal);
         images.store_material(p, pack_material(s.material));
         images.store_motion(p, s.motion);
     }
 
     void setLight(ivec2 p, const LightPixel& l) const {
         images.store_direct(p, vec4(l.direct, 0));
-        images.store_indirect(p, l.indirect);
-        images.store_indirect_chroma(p, l.chroma);
+        images.store_indirect_raw(p, l.indirect);
+        images.store_indirect_from(p, octahedral_encode(l.indirectFrom));
         images.store_specular(p, l.specular);
         const float specular = luminance(vec3(l.specular));
-        images.store_luma(p, vec4(luminance(l.direct), l.indirect.x, specular, 0));
+        images.store_luma(p, vec4(luminance(l.direct), ycocg_from_rgb(l.indirect).x, specular, 0));
     }
 
     // One pixel of every block repeats its own draws of the last frame: in each frame another one,
@@ -109,16 +110,17 @@ struct DenoiseScene {
                p == repeatedPixel(p / 3);
     }
 
+    void run(const DenoisePass& pass) {
+        const int32_t rows = memory.views().size[size_t(denoiseSize(pass.kernel))].y;
+        tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int32_t i) {
+            const cpu::DenoiseJob job{&memory.views(), &constants, &camera, &previousCamera,
+                                      pass.parameter, i * rowsAtOnce,
+                                      std::min(rows, (i + 1) * rowsAtOnce)};
+            (plain ? kernels->plain : kernels->run)[size_t(pass.kernel)](job);
+        });
+    }
     void denoise(Denoiser denoiser) {
-        for (const DenoisePass& pass : denoisePasses(denoiser)) {
-            const int32_t rows = memory.views().size[size_t(denoiseSize(pass.kernel))].y;
-            tbb::parallel_for(0, (rows + rowsAtOnce - 1) / rowsAtOnce, [&](int32_t i) {
-                const cpu::DenoiseJob job{&memory.views(), &constants, &camera, &previousCamera,
-                                          pass.parameter, i * rowsAtOnce,
-                                          std::min(rows, (i + 1) * rowsAtOnce)};
-                (plain ? kernels->plain : kernels->run)[size_t(pass.kernel)](job);
-            });
-        }
+        for (const DenoisePass& pass : denoisePasses(denoiser)) run(pass);
     }
 
     // The frame is over: the next one remembers it.
@@ -145,7 +147,7 @@ inline float spark(ivec2 p, uint frame, uint dimension) {
 inline LightPixel sparks(ivec2 p, uint frame, float mean) {
     LightPixel l;
     l.direct = vec3(mean * spark(p, frame, 0));
-    l.indirect = vec4(mean * spark(p, frame, 1), 0, 0, 0.5f * mean);
+    l.indirect = vec3(mean * spark(p, frame, 1));
     l.specular = vec4(vec3(mean * spark(p, frame, 2)), 1);
     return l;
 }

@@ -42,8 +42,11 @@ struct Shown {
 
 TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
     Shown s;
-    s.render();
-    s.render();
+    GpRealtimeOptions reuse{};
+    reuse.lightReuse = reuse.indirectReuse = GP_REUSE_BIASED;
+    reuse.heatMaps = 1;
+    s.render(reuse);
+    s.render(reuse);
     uint32_t count = 0;
     const char *name, *meaning;
     while (gpGetFrameLayerInfo(count, &name, &meaning) == GP_SUCCESS) {
@@ -53,6 +56,22 @@ TEST(RealtimeFrame, EveryLayerCanBeReadAndIsFinite) {
         ++count;
     }
     EXPECT_GT(count, 20u);
+}
+
+TEST(RealtimeFrame, LayersThatTheOptionsDoNotMakeAreAnError) {
+    Shown s;
+    GpRealtimeOptions plain{};
+    plain.denoiser = GP_DENOISER_NONE;
+    s.render(plain);
+    std::vector<glm::vec4> pixels(width * height);
+    for (const char* name : {"reservoir", "indirect_reservoir_hit", "indirect"}) {
+        EXPECT_EQ(gpReadFrameLayer(s.frame, name, &pixels[0].x, pixels.size() * 16),
+                  GP_ERROR_INVALID_OPERATION);
+        const char* message = "";
+        gpGetError(s.stage.device, &message);
+        EXPECT_NE(std::string(message).find(name), std::string::npos) << message;
+    }
+    s.layer("indirect_raw");
 }
 
 TEST(RealtimeFrame, LayersAndImagesShowTheBall) {

@@ -157,6 +157,7 @@ private:
         GpRenderOptions o{};
         o.realtime.denoiser = GpDenoiser(pick(4));
         o.realtime.lightReuse = GpLightReuse(pick(3));
+        o.realtime.indirectReuse = GpLightReuse(pick(3));
         o.realtime.antiAliasing = GpAntiAliasing(pick(3));
         o.realtime.renderScale = pick(4) == 0 ? 0.6f : 1.0f;
         o.realtime.resetHistory = pick(20) == 0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "realtime/box_scene.h"
 #include "render/stage.h"
 
 namespace gp::test {
@@ -57,10 +58,10 @@ void build(Stage& stage, bool withMirrors) {
     stage.surround({0.2f, 0.3f, 0.4f});
 }
 
-GpCameraDesc camera() {
+GpCameraDesc camera(float aside = 0) {
     GpCameraDesc c{};
-    put(c.position, {0.4f, 0.6f, 5});
-    put(c.target, {0, 0.1f, 0});
+    put(c.position, {0.4f + aside, 0.6f, 5});
+    put(c.target, {aside, 0.1f, 0});
     c.verticalFov = 0.6f;
     return c;
 }
@@ -89,12 +90,18 @@ struct Blocks {
 
 class RealtimeUnbiased : public ::testing::TestWithParam<Variant> {};
 
+struct Reuse {
+    GpLightReuse light = GP_REUSE_NONE, indirect = GP_REUSE_NONE;
+    float step = 0;                          // metres that the camera moves aside each frame
+    void (*scene)(Stage&, bool) = build;     // second: with mirrors
+};
+
 void expectReference(const Variant& variant, bool withMirrors, int bounces,
-                     GpLightReuse reuse = GP_REUSE_NONE) {
+                     const Reuse& reuse = {}) {
     Variant reference = variant;
     reference.mode = GP_MODE_REFERENCE;
     Stage a(reference), b(variant);
-    build(a, withMirrors), build(b, withMirrors);
+    reuse.scene(a, withMirrors), reuse.scene(b, withMirrors);
     const GpCameraDesc view = camera();
     Blocks expected, found;
     // Both sides as means of many pictures that are independent, or nearly so.
@@ -107,15 +114,16 @@ void expectReference(const Variant& variant, bool withMirrors, int bounces,
     }
     const GpFrame moving = b.frame(width, height);
     // Frames that hand on light samples are not independent: then only the last of a few counts.
-    const uint32_t chain = reuse == GP_REUSE_NONE ? 1 : 5;
+    const uint32_t chain = reuse.light == GP_REUSE_NONE && reuse.indirect == GP_REUSE_NONE ? 1 : 5;
     for (uint32_t i = 0; i < effort(320) * (chain > 1 ? 3u : 1u); ++i) {
         GpRenderOptions o = b.options(0);
         o.seed = i, o.maxBounces = bounces;
         o.realtime.antiAliasing = GP_AA_JITTER;
         o.realtime.denoiser = GP_DENOISER_NONE;
-        o.realtime.lightReuse = reuse;
+        o.realtime.lightReuse = reuse.light, o.realtime.indirectReuse = reuse.indirect;
         o.realtime.resetHistory = i % chain == 0;
-        b.check(gpRender(moving, b.scene, &view, &o));
+        const GpCameraDesc now = camera(reuse.step * float(chain - 1 - i % chain));
+        b.check(gpRender(moving, b.scene, &now, &o));
         if (i % chain == chain - 1)
             found.add(b.read<glm::vec4>(moving, GP_IMAGE_COLOR, width * height));
     }
@@ -153,7 +161,25 @@ TEST_P(RealtimeUnbiased, WithOneBounce) { expectReference(GetParam(), false, 1);
 
 // What neighbours and the past found is weighted by who could have found it.
 TEST_P(RealtimeUnbiased, WithLightReuse) {
-    expectReference(GetParam(), false, 1, GP_REUSE_UNBIASED);
+    expectReference(GetParam(), false, 1, {.light = GP_REUSE_UNBIASED});
+}
+
+// Ways of light over one more surface, with all kinds of lobes at both ends.
+TEST_P(RealtimeUnbiased, WithIndirectReuse) {
+    expectReference(GetParam(), false, 1, {.indirect = GP_REUSE_UNBIASED});
+}
+
+// Further bounces come beside them, and their weights know it.
+TEST_P(RealtimeUnbiased, WithIndirectReuseAndBounces) {
+    expectReference(GetParam(), false, 3,
+                    {.light = GP_REUSE_UNBIASED, .indirect = GP_REUSE_UNBIASED});
+}
+
+// Light of surfaces alone, from a moving camera: corners, edges and what comes into view.
+TEST_P(RealtimeUnbiased, WithIndirectReuseInABoxFromAMovingCamera) {
+    expectReference(GetParam(), false, 1,
+                    {.indirect = GP_REUSE_UNBIASED, .step = 0.1f,
+                     .scene = [](Stage& stage, bool) { buildBox(stage); }});
 }
 
 std::vector<Variant> realtimeVariants() {

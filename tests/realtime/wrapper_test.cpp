@@ -22,5 +22,22 @@ TEST(RealtimeWrapper, PassesAndLayers) {
     EXPECT_THROW(frame.layer("emision"), gp::Error);
 }
 
+TEST(RealtimeWrapper, ACubemapSurroundsTheScene) {
+    const gp::Device device;
+    gp::Scene scene(device);
+    const float pixel[4] = {1, 2, 3, 1};
+    GpTextureDesc desc{};
+    desc.width = desc.height = 1, desc.format = GP_FORMAT_RGBA32F, desc.pixels = pixel;
+    const gp::Texture face(device, desc);
+    GpCubemapDesc cube{};
+    for (GpTexture& f : cube.faces) f = face.get();
+    scene.setCubemap(cube);
+    gp::Frame frame(device, 4, 4, GP_MODE_REALTIME);
+    frame.render(scene);
+    EXPECT_NEAR(frame.layer("emission")[1], 2, 0.01);
+    cube.faces[5] = nullptr;
+    EXPECT_THROW(scene.setCubemap(cube), gp::Error);
+}
+
 }  // namespace
 }  // namespace gp::test

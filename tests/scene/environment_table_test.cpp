@@ -87,5 +87,39 @@ TEST(EnvironmentTable, LargeTablesLeaveBitsToChooseWith) {
     EXPECT_NEAR(below, n * threshold, 4 * sigma);
 }
 
+// A sky that brightens to the right and below a dark half.
+std::vector<glm::vec4> slope(float scale, uint32_t shift = 0) {
+    std::vector<glm::vec4> pixels;
+    for (uint32_t y = 0; y < 32; ++y)
+        for (uint32_t x = 0; x < 64; ++x)
+            pixels.emplace_back(glm::vec3(y < 16 ? scale * float((x + shift) % 64) : 0.0f), 1);
+    return pixels;
+}
+
+TEST(SkyTable, DirectionsStayWhileRadianceChanges) {
+    const std::vector<glm::vec4> first = slope(1), second = slope(3, 1);
+    const auto table = makeSkyTable(&first[0].x, 64, 32);
+    const auto densities = table->densities;
+    const double mean = table->meanLuminance;
+    ASSERT_TRUE(refreshSkyTable(*table, &second[0].x));
+    EXPECT_EQ(table->densities, densities);
+    EXPECT_EQ(table->radiance(9, 3).x, 30);
+    EXPECT_NEAR(table->meanLuminance, 3 * mean, 1e-6 * mean);
+    EXPECT_NEAR(table->mean.y, 3 * mean, 1e-6 * mean);
+}
+
+TEST(SkyTable, LightElsewhereNeedsAnotherOne) {
+    const std::vector<glm::vec4> first = slope(1), black(64 * 32, glm::vec4(0));
+    std::vector<glm::vec4> second = first;
+    second[30 * 64 + 5] = glm::vec4(1e4f);
+    const auto table = makeSkyTable(&first[0].x, 64, 32);
+    EXPECT_FALSE(refreshSkyTable(*table, &second[0].x));
+    EXPECT_FALSE(refreshSkyTable(*table, &black[0].x));
+    EXPECT_EQ(table->radiance(9, 3).x, 9);
+    EXPECT_TRUE(makeSkyTable(&black[0].x, 64, 32)->black());
+    // Light may appear anywhere.
+    for (uint32_t i = 0; i < table->side * table->side; ++i) ASSERT_GT(table->density(i), 0) << i;
+}
+
 }  // namespace
 }  // namespace gp

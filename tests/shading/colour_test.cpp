@@ -130,5 +130,37 @@ TEST(Sh, LumaEqualsRgbForOneColour) {
     EXPECT_EQ(sh_luma_irradiance(sh_luma_zero(), vec3(0, 0, 1)), vec3(0.0f));
 }
 
+TEST(Rgb9e5, EveryCodeComesBack) {
+    for (uint exponent = 0; exponent < 32; ++exponent)
+        for (uint m = 0; m < 512; ++m) {
+            const uint code = m | (m ^ 511u) << 9 | (511u - m / 2) << 18 | exponent << 27;
+            const vec3 v = rgb9e5_decode(code);
+            EXPECT_EQ(rgb9e5_decode(rgb9e5_encode(v)), v) << exponent << " " << m;
+        }
+}
+
+TEST(Rgb9e5, RoundsToNearestOfTheLargest) {
+    Random random(3);
+    double error = 0;
+    constexpr int count = 100'000;
+    for (int i = 0; i < count; ++i) {
+        const float size = std::exp2(30.0f * random.uniform() - 15.0f);
+        const vec3 v = size * vec3(random.uniform(), random.uniform(), random.uniform());
+        const vec3 back = rgb9e5_decode(rgb9e5_encode(v));
+        const float most = std::max({v.x, v.y, v.z});
+        for (int c = 0; c < 3; ++c) ASSERT_LE(std::abs(back[c] - v[c]), most / 511.0f + 3.1e-8f);
+        error += double(back.y - v.y) / double(most);
+    }
+    EXPECT_NEAR(error / count, 0, 1e-5);  // no bias: half a step is 1e-3
+}
+
+TEST(Rgb9e5, ClampsWhatItCannotHold) {
+    const float infinity = INFINITY, none = NAN;
+    EXPECT_EQ(rgb9e5_decode(rgb9e5_encode(vec3(none, -1, 0))), vec3(0));
+    EXPECT_EQ(rgb9e5_decode(rgb9e5_encode(vec3(infinity, 1e9f, none))),
+              vec3(RGB9E5_LARGEST, RGB9E5_LARGEST, 0));
+    EXPECT_EQ(rgb9e5_decode(rgb9e5_encode(vec3(511.9f, 0, 0))).x, 512.0f);  // the next exponent
+}
+
 }  // namespace
 }  // namespace gp::shading

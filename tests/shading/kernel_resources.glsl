@@ -28,6 +28,8 @@ layout(std430, binding = 14) readonly buffer LocalLightingBuffer {
 };
 layout(binding = 10) uniform sampler2D environment_image;
 layout(binding = 11) uniform sampler2DArray textures;
+layout(binding = 16) uniform sampler2D background_image;
+layout(std430, binding = 17) readonly buffer SkyBuffer { uint sky_triangles; };
 
 FrameConstants load_frame() { return frame_constants; }
 LocalLightingConstants load_local_lighting() { return local_lighting_constants; }
@@ -64,6 +66,7 @@ vec4 sample_texture(uint index, vec2 uv, float lod, float u_lod) {
 }
 
 vec3 load_environment(vec2 uv) { return vec3(textureLod(environment_image, uv, 0.0f)); }
+vec3 load_background(vec2 uv) { return vec3(textureLod(background_image, uv, 0.0f)); }
 EnvironmentCell load_environment_cell(uint i) { return environment_cells[i]; }
 void prefetch_environment(vec2 uv) {}
 void prefetch_environment_cell(uint i) {}
@@ -102,6 +105,17 @@ Hit trace_closest(Ray ray) {
     for (uint i = 0u; i < uint(triangles.length()); ++i) {
         nearest = meet_triangle(ray, i, nearest);
     }
+    return nearest;
+}
+
+Hit trace_sky(Ray ray) {
+    Hit nearest;
+    nearest.t = ray.t_max;
+    nearest.u = 0.0f;
+    nearest.v = 0.0f;
+    nearest.instance = HIT_NOTHING;
+    nearest.primitive = 0u;
+    for (uint i = 0u; i < sky_triangles; ++i) { nearest = meet_triangle(ray, i, nearest); }
     return nearest;
 }
 

@@ -2,6 +2,7 @@
 // to check every kernel; those that trace rays also need kernel_resources.glsl.
 #include "shared/realtime_structs.glsl"
 #include "shading/camera.glsl"
+#include "shading/rgb9e5.glsl"
 #include "shading/sampling/sampler.glsl"
 
 layout(std430, binding = 20) readonly buffer RealtimeBuffer {
@@ -38,6 +39,8 @@ void note_draws(Sampler draws) {}
 #define VALUE_HALF2 vec2
 #define VALUE_HALF4 vec4
 #define VALUE_POSITIVE3 vec4
+#define VALUE_RGB9E5 vec3
+#define VALUE_UNORM2 vec2
 #define VALUE_UNORM4 vec4
 
 #define READ_FLOAT1(i) uintBitsToFloat(image_words[i])
@@ -49,6 +52,8 @@ void note_draws(Sampler draws) {}
 #define READ_POSITIVE3(i) vec4(unpackHalf2x16((image_words[i] & 0x7FFu) << 4u).x, \
                                unpackHalf2x16((image_words[i] >> 11u & 0x7FFu) << 4u).x, \
                                unpackHalf2x16(image_words[i] >> 22u << 5u).x, 0.0f)
+#define READ_RGB9E5(i) rgb9e5_decode(image_words[i])
+#define READ_UNORM2(i) unpackUnorm4x8(image_words[i / 2u] >> 16u * (i & 1u)).xy
 #define READ_UNORM4(i) unpackUnorm4x8(image_words[i])
 
 #define WRITE_FLOAT1(i, v) image_words[i] = floatBitsToUint(v);
@@ -61,6 +66,10 @@ void note_draws(Sampler draws) {}
     packHalf2x16(vec2(max(v.x, 0.0f), 0.0f)) >> 4u | \
     packHalf2x16(vec2(max(v.y, 0.0f), 0.0f)) >> 4u << 11u | \
     packHalf2x16(vec2(max(v.z, 0.0f), 0.0f)) >> 5u << 22u;
+#define WRITE_RGB9E5(i, v) image_words[i] = rgb9e5_encode(v);
+// Two pixels a word, as if no other invocation wrote the other one.
+#define WRITE_UNORM2(i, v) image_words[i / 2u] = bitfieldInsert( \
+    image_words[i / 2u], packUnorm4x8(vec4(v, 0.0f, 0.0f)), int(16u * (i & 1u)), 16);
 #define WRITE_UNORM4(i, v) image_words[i] = packUnorm4x8(v);
 
 ivec2 size_of_FULL() { return realtime_constants.size; }
@@ -71,7 +80,7 @@ uint pixel_index(ivec2 p, ivec2 size, uint copy) {
 }
 
 // Each image as if it began where the buffer does: only the compiler looks.
-#define X(name, format, size, copies, meaning) \
+#define X(name, format, size, copies, memory, meaning) \
     VALUE_##format load_##name(ivec2 p) { \
         return READ_##format(pixel_index(p, size_of_##size(), 0u)); \
     } \

@@ -206,7 +206,8 @@ TEST(Animate, RealTimeOptionsChangeThePicture) {
     EXPECT_EQ(pictures[0], render("again", {"--denoiser", "asvgf", "--aa", "temporal"}));
     const std::vector<Words> others = {
         {"--denoiser", "svgf"}, {"--denoiser", "none"}, {"--aa", "none"}, {"--render-scale", "0.5"},
-        {"--light-reuse", "unbiased"}, {"--tune", "direct_history_frames=2"}, {"--bounces", "2"}};
+        {"--light-reuse", "unbiased"}, {"--indirect-reuse", "biased"},
+        {"--tune", "direct_history_frames=2"}, {"--bounces", "2"}};
     for (const Words& words : others) {
         const std::string picture = render("other", words);
         for (const std::string& seen : pictures) {

@@ -86,6 +86,33 @@ TEST(Evaluate, MeasuresHowLongLightStays) {
     EXPECT_TRUE(readJson(folder("b.json"))["variants"][0]["lag_frames"].is_null());
 }
 
+// References of few samples are far noisier than the picture that they judge; the numbers are not.
+TEST(Evaluate, LeavesOutTheNoiseOfTheReferences) {
+    const TestFolder folder;
+    const auto run = [&](const std::string& samples) {
+        const std::string file = folder(samples + ".json");
+        const ToolResult result =
+            runTool({"evaluate", cornellPath(), "-o", file, "--size", "64x48", "--spp", samples,
+                     "--frames", "6", "--skip", "2", "--aa", "none", "--exposure", "0"});
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return readJson(file);
+    };
+    const Json few = run("4");
+    const Json many = run("128");
+    EXPECT_GT(few["reference_noise"]["rmse"].get<double>(),
+              3 * many["reference_noise"]["rmse"].get<double>());
+    EXPECT_GT(few["reference_noise"]["rmse"].get<double>(),
+              few["variants"][0]["rmse"].get<double>());
+    for (const char* name : {"rmse", "ssim", "flicker"}) {
+        const double expected = many["variants"][0][name].get<double>();
+        std::printf("%s: %.4f, %.4f with few samples\n", name, expected,
+                    few["variants"][0][name].get<double>());
+        EXPECT_NEAR(few["variants"][0][name].get<double>(), expected, 0.3 * expected) << name;
+    }
+    // Rays of both go through the centres of pixels, so that edges have no error.
+    EXPECT_LT(many["variants"][0]["rmse"].get<double>(), 0.03);
+}
+
 TEST(Evaluate, ThePageHoldsEverything) {
     if (runTool({"brdf", "plot", "lambert", "--kind", "polar", "-o",
                  TestFolder()("probe.svg")}).exitCode != 0) {

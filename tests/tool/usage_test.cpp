@@ -29,7 +29,8 @@ void expectRefused(const WrongLine& wrong) {
 }
 
 TEST(Help, ExistsForTheToolAndEachSubcommandWithExamples) {
-    for (const char* command : {"", "render", "info", "compare", "make-scene", "brdf"}) {
+    for (const char* command : {"", "render", "info", "compare", "make-scene", "brdf", "animate",
+                                "evaluate", "view"}) {
         std::vector<std::string> arguments;
         if (*command != '\0') {
             arguments.emplace_back(command);
@@ -51,7 +52,8 @@ TEST(Help, NamesEveryOptionOfRender) {
           "--exposure", "--tonemap", "--aov", "--seed", "--threads", "--json", "--shading",
           "--filter", "--clamp", "--isa", "--backend", "--time", "--full-float", "--quiet",
           "--animation", "--scene", "--no-roulette", "--mode", "--lighting", "--set",
-          "--frequency", "--falloff", "--ambient", "Automatic exposure"}) {
+          "--frequency", "--falloff", "--ambient", "--frames", "--denoiser", "--light-reuse",
+          "--tune", "--aa", "--render-scale", "--mirrors", "Automatic exposure"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
 }
@@ -117,7 +119,7 @@ TEST(Usage, WrongValuesOfRender) {
              {{"--sun", "10,91,0"}, "--sun"},
              {{"--sun", "10,20,-5"}, "--sun"},
              {{"--env-color", "1,1,1", "--sun", "10,20,0"}, "--sun"},
-             {{"--mode", "raster"}, "reference, local"},
+             {{"--mode", "raster"}, "reference, realtime, local"},
              {{"--lighting", "phong"}, "--lighting: only with --mode local"},
              {{"--set", "exponent=3"}, "--set: only with --mode local"},
              {{"--frequency", "flat"}, "--frequency: only with --mode local"},
@@ -135,6 +137,17 @@ TEST(Usage, WrongValuesOfRender) {
              {{"--mode", "local", "--falloff", "cubic"}, "inverse-square, inverse, none"},
              {{"--mode", "local", "--ambient", "1,1"}, "--ambient"},
              {{"--mode", "local", "--ambient", "1,-1,0"}, "negative"},
+             {{"--frames", "3"}, "--frames: only with --mode realtime"},
+             {{"--denoiser", "svgf"}, "--denoiser: only with --mode realtime"},
+             {{"--mode", "local", "--aa", "none"}, "--aa: only with --mode realtime"},
+             {{"--tune", "reuse_radius=3"}, "--tune: only with --mode realtime"},
+             {{"--mode", "realtime", "--frames", "0"}, "--frames"},
+             {{"--mode", "realtime", "--denoiser", "bilateral"}, "svgf"},
+             {{"--mode", "realtime", "--spp", "4"}, "--frames says"},
+             {{"--mode", "realtime", "--time-limit", "4"}, "--time-limit: not in real time"},
+             {{"--mode", "realtime", "--noise", "0.1"}, "--noise: not in real time"},
+             {{"--mode", "realtime", "--filter", "tent"}, "--filter: not in real time"},
+             {{"--mode", "realtime", "--lighting", "ward"}, "--lighting: only with --mode local"},
              {{"--exposure", "bright"}, "--exposure"},
              {{"--tonemap", "filmic"}, "agx"},
              {{"--aov", "albedo"}, "--aov"},

@@ -50,6 +50,33 @@ TEST(ImageView, RealTimeFramesHaveLayersBeside) {
     EXPECT_TRUE(hasImage(GP_MODE_LOCAL, *imageNamed("variance")));
 }
 
+TEST(ImageView, HeatGoesFromBlackToYellow) {
+    EXPECT_TRUE(needsHeatMaps("heat_rays"));
+    EXPECT_TRUE(needsHeatMaps("heat_time"));
+    EXPECT_FALSE(needsHeatMaps("heat_variance"));
+    EXPECT_FALSE(needsHeatMaps("display"));
+    std::vector<float> rays;
+    for (const float v : {0.0f, 2.0f, 4.0f}) {
+        rays.insert(rays.end(), {v, v, v, 1.0f});
+    }
+    const HeatScale scale = heatScaleOf("heat_rays", rays.data(), 3);
+    EXPECT_EQ(scale.high, 4);
+    EXPECT_EQ(scale.unit, "rays");
+    const Bytes pixels = seen<float>(infoOf("heat_rays"), rays);
+    const auto sum = [&pixels](std::size_t i) {
+        return pixels[4 * i] + pixels[4 * i + 1] + pixels[4 * i + 2];
+    };
+    EXPECT_LT(sum(0), 10);
+    EXPECT_GT(sum(1), sum(0) + 100);
+    EXPECT_GT(sum(2), sum(1) + 100);
+    // Of a variance the root is shown; what is no number is nothing.
+    const float variance[] = {9, 1, 1, 1, std::nanf(""), 1, 1, 1};
+    EXPECT_EQ(heatScaleOf("heat_variance", variance, 1).high, 3);
+    EXPECT_EQ(heatScaleOf("heat_variance", variance + 4, 1).high, 0);
+    const std::vector<float> nothing(8, 0.0f);
+    EXPECT_EQ(seen<float>(infoOf("heat_time"), nothing).size(), 8u);
+}
+
 TEST(ImageView, LightIsEncodedAndExposed) {
     // sRGB of 0.5 is 0.7354 [IEC 61966-2-1], 188 of 255.
     EXPECT_EQ(seen<float>(infoOf("direct"), {0.5f, 1.0f, 4.0f, 1.0f}), (Bytes{188, 255, 255, 255}));

@@ -50,13 +50,16 @@ TEST(InputState, DragsTurnAndClicksPick) {
 
     input.button(MouseButton::right, true, true);
     input.mouse({112, 91});
-    EXPECT_EQ(input.take().drag, glm::vec2(10, -10));
+    const FrameInput begun = input.take();
+    EXPECT_EQ(begun.drag, glm::vec2(10, -10));
+    EXPECT_EQ(begun.dragFrom, glm::vec2(102, 101));
     input.mouse({113, 91});
     input.mouse({114, 91});
     EXPECT_EQ(input.take().drag, glm::vec2(2, 0));
     input.button(MouseButton::right, false, true);
     const FrameInput after = input.take();
     EXPECT_FALSE(after.clicked);
+    EXPECT_FALSE(input.take().dragFrom);
     EXPECT_EQ(after.mouse, glm::vec2(114, 91));
     input.mouse({200, 200});
     EXPECT_EQ(input.take().drag, glm::vec2(0, 0));

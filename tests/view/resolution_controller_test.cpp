@@ -88,6 +88,45 @@ TEST(ResolutionController, SizesAreNeverNothing) {
     EXPECT_EQ(c.sizeFor({1281, 719}), (RenderSize{1281, 719}));
 }
 
+TEST(ResolutionController, FewerRaysComeBeforeSmallerPictures) {
+    ResolutionController c;
+    c.setMostRenderScale(1.0);
+    run(c, 0.001, 200);
+    EXPECT_EQ(c.renderScale(), 1.0);
+    EXPECT_EQ(c.sizeScale(), 1.0);
+    // Half of the time of a full frame: rays alone.
+    run(c, 2.0 / 30.0, 200);
+    EXPECT_NEAR(c.renderScale(), std::exp2(-0.5), 1e-12);
+    EXPECT_EQ(c.sizeFor({1280, 720}), (RenderSize{1280, 720}));
+    // A hundredth: rays cannot be fewer than half along each side of the frame.
+    run(c, 100.0 / 30.0, 200);
+    EXPECT_EQ(c.renderScale(), 0.5);
+    EXPECT_NEAR(c.sizeScale(), std::exp2(-2.5), 1e-12);
+    EXPECT_LE(frameTime(c, 100.0 / 30.0), 1.15 / 30.0);
+    // Back again in the other order.
+    run(c, 2.0 / 30.0, 200);
+    EXPECT_EQ(c.sizeScale(), 1.0);
+    EXPECT_GT(c.renderScale(), 0.5);
+    // A mode that has no such scale goes on with as many rays.
+    const double rays = c.scale();
+    c.setMostRenderScale(std::nullopt);
+    EXPECT_EQ(c.renderScale(), 1.0);
+    EXPECT_EQ(c.sizeScale(), rays);
+}
+
+TEST(ResolutionController, APersonMayLimitTheRays) {
+    ResolutionController c;
+    c.setMostRenderScale(0.6);
+    run(c, 0.001, 200);
+    EXPECT_EQ(c.renderScale(), 0.6);
+    EXPECT_EQ(c.sizeScale(), 1.0);
+    run(c, 0.3, 200);
+    EXPECT_LE(frameTime(c, 0.3), 1.15 / 30.0);
+    const double scale = c.scale();
+    run(c, 0.3, 500);
+    EXPECT_EQ(c.scale(), scale);  // at rest
+}
+
 TEST(TimeHistory, MeanAndPercentiles) {
     tool::view::TimeHistory times;
     EXPECT_EQ(times.mean(), 0);

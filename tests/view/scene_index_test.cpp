@@ -64,15 +64,10 @@ TEST(SceneIndex, NothingIsNothing) {
     EXPECT_FALSE(index.thingAt(3));
     EXPECT_FALSE(index.thingAt(0xffffffffu));
     EXPECT_FALSE(SceneIndex().thingAt(1));
-    EXPECT_TRUE(SceneIndex().lights().empty());
 }
 
-TEST(SceneIndex, ListsLightsAndCameras) {
+TEST(SceneIndex, ListsCameras) {
     const SceneIndex index(nlohmann::ordered_json::parse(kDescription));
-    ASSERT_EQ(index.lights().size(), 1u);
-    EXPECT_EQ(index.lights()[0].name, "sun");
-    EXPECT_EQ(index.lights()[0].kind, "directional");
-    EXPECT_EQ(valueOf(index.lights()[0].facts, "emission"), "1, 2, 3");
     EXPECT_EQ(index.cameras(), (std::vector<std::string>{"front", ""}));
 }
 

@@ -23,11 +23,19 @@ SceneFacts facts() {
      "meshes": [{"name": "m", "material": 0}],
      "materials": [{"name": "clay", "roughness": 0.5}], "textures": []})"));
     f.reach = 3;  // one metre a second
+    f.denoisers.names = {"asvgf", "svgf"};
+    f.denoisers.numbers = {{"filter_depth", "slopes", 1, 0.01f, 100, {"asvgf", "svgf"}}};
+    SceneLight lamp;
+    lamp.desc.kind = GP_LIGHT_SPHERE;
+    lamp.desc.intensity = 5;
+    lamp.name = "lamp";
+    f.lights = std::make_shared<std::vector<SceneLight>>(1, lamp);
     return f;
 }
 
 ViewModel newModel() {
-    return ViewModel(facts(), ViewChoices{}, "picture.png");
+    const ViewChoices choices;
+    return ViewModel(facts(), choices, "picture.png");
 }
 
 constexpr PictureArea kArea{100, 0, 200, 100};
@@ -84,7 +92,8 @@ TEST(ViewModel, KeysDoWhatTheirNamesSay) {
 TEST(ViewModel, AFileWithoutCamerasHasNoNextOne) {
     SceneFacts none = facts();
     none.cameras.clear();
-    ViewModel model(none, ViewChoices{}, "");
+    const ViewChoices choices;
+    ViewModel model(none, choices, "");
     press(model, Key::nextCamera);
     EXPECT_EQ(model.message(), "the file has no camera");
     EXPECT_THROW(model.set("camera", "0"), tool::UsageError);
@@ -97,7 +106,11 @@ TEST(ViewModel, EverySettingChangesTheChoices) {
         {"live", "local"},        {"reference", "on"},   {"samples", "7"},
         {"render-scale", "0.5"},  {"anti-aliasing", "none"}, {"bounces", "3"}, {"mirrors", "0"},
         {"fps", "10"},            {"sky", "90,30,0"},    {"surroundings", "1,2,3"},
-        {"lamp", "on"},           {"lamp-intensity", "3"}};
+        {"lamp", "on"},           {"lamp-intensity", "3"}, {"denoiser", "svgf"},
+        {"light-reuse", "biased"}, {"indirect-reuse", "unbiased"}, {"eye-adaptation", "0.5"},
+        {"tune", "filter_depth=2"},
+        {"light", "0.intensity=7"}, {"add-light", "spot"}, {"remove-light", "0"},
+        {"beside", "on"},         {"divider", "0.25"}};
     const std::vector<std::string> names = ViewModel::settingNames();
     EXPECT_EQ(names.size(), std::size(settings)) << "one is missing in this test";
     for (const auto& [name, value] : settings) {
@@ -114,7 +127,13 @@ TEST(ViewModel, WrongSettingsAreRefusedAndChangeNothing) {
         {"tonemap", "grey"}, {"image", "colour"},   {"live", "best"}, {"reference", "yes"},
         {"render-scale", "0.4"}, {"anti-aliasing", "msaa"}, {"bounces", "17"}, {"mirrors", "-1"},
         {"samples", "0"},    {"fps", "0"},          {"sky", "0,91,0"}, {"sky", "0,10,-1"},
-        {"surroundings", "-1,0,0"}, {"lamp", "1"}, {"lamp-intensity", "-1"}, {"zoom", "2"}};
+        {"surroundings", "-1,0,0"}, {"lamp", "1"}, {"lamp-intensity", "-1"}, {"zoom", "2"},
+        {"denoiser", "oidn"}, {"light-reuse", "on"},
+        {"indirect-reuse", "1"}, {"eye-adaptation", "-1"},
+        {"tune", "filter_depth"}, {"tune", "filter_depth=1000"}, {"tune", "filter_dept=1"},
+        {"light", "1.on=off"}, {"light", "0.cone=5"}, {"light", "0=5"}, {"light", "0.color=-1,0,0"},
+        {"light", "0.radius=x"}, {"add-light", "polygon"}, {"add-light", "bulb"},
+        {"remove-light", "3"}, {"beside", "1"}, {"divider", "1.5"}};
     for (const auto& [name, value] : wrong) {
         ViewModel model = newModel();
         const ViewChoices before = model.choicesFor({8, 8});
@@ -166,6 +185,64 @@ TEST(ViewModel, JumpsForgetHistoryFlightsDoNot) {
     EXPECT_EQ(model.choices().realtime.cuts, cuts + 1);
     model.set("position", "1,2,3");
     EXPECT_EQ(model.choices().realtime.cuts, cuts + 2);
+}
+
+TEST(ViewModel, LightsAreChangedAddedAndRemoved) {
+    ViewModel model = newModel();
+    const SceneLights loaded = model.facts().lights;
+    model.set("light", "0.on=off");
+    EXPECT_TRUE(loaded->front().isOn);  // what was handed out stays as it is
+    EXPECT_EQ(model.lights().front().shown().intensity, 0);
+    model.set("light", "0.on=on");
+    model.set("light", "0.color=0,0,0");
+    EXPECT_EQ(model.lights().front().shown().intensity, 0);  // three zeros would be white
+    model.set("position", "1,2,3");
+    model.set("add-light", "rectangle");
+    ASSERT_EQ(model.lights().size(), 2u);
+    EXPECT_EQ(model.lights()[1].desc.position[1], 2);
+    model.set("light", "1.width=4");
+    EXPECT_NEAR(edgeLength(model.lights()[1].desc.edgeU), 4, 1e-5);
+    model.set("remove-light", "0");
+    EXPECT_EQ(model.stateJson()["lights"].size(), 1u);
+    EXPECT_EQ(model.stateJson()["lights"][0]["number"], 1);  // keeps its number
+    EXPECT_THROW(model.set("light", "0.on=on"), tool::UsageError);
+    // A change that changes nothing is none.
+    const SceneLights before = model.choices().lights;
+    model.set("light", "1.on=on");
+    EXPECT_EQ(model.choices().lights, before);
+}
+
+TEST(ViewModel, NumbersGoBackToDefault) {
+    ViewModel model = newModel();
+    model.set("tune", "filter_depth=2");
+    EXPECT_EQ(model.choices().realtime.numbers.at("filter_depth"), 2);
+    model.set("tune", "default");
+    EXPECT_TRUE(model.choices().realtime.numbers.empty());
+}
+
+TEST(ViewModel, TheDividerIsDragged) {
+    ViewModel model = newModel();
+    model.set("beside", "on");
+    const GpCameraDesc camera = model.camera().desc();
+    FrameInput input;
+    const auto drag = [&](float from, float to) {
+        input.dragFrom = glm::vec2(from, 50);
+        input.drag = {to - from, 0};
+        input.mouse = {to, 50};
+        model.advance(input, 0.01, kArea);
+    };
+    drag(203, 250);  // the line is at 200
+    EXPECT_NEAR(model.choices().divider, 0.75f, 1e-6f);
+    drag(203, 1000);  // the same drag, beyond the border
+    EXPECT_EQ(model.choices().divider, 1);
+    EXPECT_TRUE(sameCamera(camera, model.camera().desc()));
+    input = {};
+    model.advance(input, 0.01, kArea);
+    drag(150, 160);  // beside the line: looks around
+    EXPECT_EQ(model.choices().divider, 1);
+    EXPECT_FALSE(sameCamera(camera, model.camera().desc()));
+    press(model, Key::beside);
+    EXPECT_FALSE(model.choices().beside);
 }
 
 TEST(ViewModel, OnlyRealTimeGoesOnAtRest) {

@@ -142,6 +142,8 @@ TEST_F(ViewRendererTest, EveryImageCanBeSeen) {
 TEST_F(ViewRendererTest, RealTimeGoesOnAtRestAndShowsItsLayers) {
     m_choices.live = LiveMode::realtime;
     m_choices.reference = false;
+    m_choices.realtime.lightReuse = GP_REUSE_BIASED;  // both have layers of their own
+    m_choices.realtime.indirectReuse = GP_REUSE_BIASED;
     const ShownPicture first = live();
     const ShownPicture later = waitFor([&first](const ShownPicture& p) {
         return p.liveFrames >= first.liveFrames + 20;

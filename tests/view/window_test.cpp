@@ -202,6 +202,32 @@ TEST_F(ViewWindow, RealTimeIsTheDefault) {
     EXPECT_TRUE(exists(file("m.png")));
 }
 
+TEST_F(ViewWindow, TheReferenceStandsBesideRealTimeAndItsLineIsDragged) {
+    // Without panels the line is at 320 of 640.
+    const ToolResult result = view(
+        cornellPath(),
+        "set live realtime\nset denoiser svgf\nset tune resolve_share=0.2\nset light-reuse biased\n"
+        "set fps 1\npress Tab\nrelease Tab\nlive 3\npress B\nrelease B\nsettle 4\nmouse 320 100\n"
+        "down left\nmouse 400 100\nmouse 480 100\nup left\nwait 3\nstate " + file("s.json") +
+            "\nsettle 8\npicture " + file("p.png") + "\nwindow " + file("w.png") + "\n");
+    VIEW_OR_SKIP(result);
+    const nlohmann::json json = state("s.json");
+    EXPECT_NEAR(json["divider"].get<double>(), 0.75, 1e-6);
+    EXPECT_GE(json["samples_beside"].get<int>(), 4);
+    EXPECT_EQ(json["denoiser"], "svgf");
+    EXPECT_EQ(json["tuned"], (nlohmann::json{{"resolve_share", json["tuned"]["resolve_share"]}}));
+    EXPECT_EQ(json["at_rest"], false);
+    const ToolResult start = view(cornellPath(), "state " + file("0.json") + "\n");
+    EXPECT_EQ(json["target"], state("0.json")["target"]) << "the drag turned the camera";
+    // A white line stands there, in the file as in the window.
+    const Picture window = load(file("w.png"));
+    const Picture picture = load(file("p.png"));
+    EXPECT_EQ(window.width, 640u);
+    EXPECT_EQ(window.rgba[4 * (50 * 640 + 480)], 1.0f);
+    const std::size_t column = picture.width * 3 / 4;
+    EXPECT_EQ(picture.rgba[4 * (5 * std::size_t{picture.width} + column)], 1.0f);
+}
+
 TEST_F(ViewWindow, FailuresAreOneLine) {
     ToolResult result = view(cornellPath(), "set exposure bright\n");
     if (!m_hasWindow) {

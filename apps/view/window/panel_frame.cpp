@@ -13,15 +13,18 @@ namespace {
 void drawSizes(const ShownPicture& picture) {
     const GpFrameStatistics& s = picture.statistics;
     valueRow("now", picture.atRest ? "reference, at rest" : "live");
-    valueRow("render size", fmt::format("{} x {}, scale {:.0f} %", picture.size.width,
-                                        picture.size.height, 100.0 * picture.scale));
+    valueRow("size", fmt::format("{} x {}, {:.0f} % of the view", picture.size.width,
+                                 picture.size.height, 100.0 * picture.scale));
+    if (picture.renderScale < 1) {
+        valueRow("rays", fmt::format("{:.0f} % along each side", 100.0 * picture.renderScale));
+    }
     valueRow("samples", fmt::format("{} a pixel", s.samplesPerPixel));
     if (s.noise >= 0 && s.samplesPerPixel > 1) {
         valueRow("noise", fmt::format("{:.2f} %", 100.0 * s.noise));
     }
     const double rays = static_cast<double>(s.cameraRays + s.bounceRays + s.shadowRays);
     if (s.secondsRender > 0) {
-        valueRow("rays", fmt::format("{:.2f} M/s", 1.0e-6 * rays / s.secondsRender));
+        valueRow("speed", fmt::format("{:.2f} Mrays/s", 1.0e-6 * rays / s.secondsRender));
     }
     valueRow("frame memory", fmt::format("{:.1f} MB", 1.0e-6 * static_cast<double>(s.frameBytes)));
 }
@@ -49,23 +52,6 @@ void drawPasses(const ShownPicture& picture) {
     ImGui::TreePop();
 }
 
-void drawRealtime(RealtimeChoices& choices) {
-    if (!ImGui::TreeNode("real time")) {
-        return;
-    }
-    ImGui::SliderFloat("render scale", &choices.renderScale, 0.5f, 1.0f, "%.2f");
-    choices.renderScale = std::clamp(choices.renderScale, 0.5f, 1.0f);
-    chooseWord("anti-aliasing", choices.antiAliasing, kAntiAliasingWords);
-    ImGui::SliderInt("bounces", &choices.bounces, 0, kMostBounces);
-    choices.bounces = std::clamp(choices.bounces, 0, kMostBounces);
-    ImGui::SliderInt("mirrors", &choices.mirrors, 0, kMostBounces);
-    choices.mirrors = std::clamp(choices.mirrors, 0, kMostBounces);
-    if (ImGui::Button("Forget history")) {
-        ++choices.cuts;
-    }
-    ImGui::TreePop();
-}
-
 }  // namespace
 
 void drawFramePanel(ViewModel& model) {
@@ -84,9 +70,6 @@ void drawFramePanel(ViewModel& model) {
     LiveMode live = choices.live;
     if (chooseWord("live picture", live, kLiveWords)) {
         model.setLive(live);
-    }
-    if (live == LiveMode::realtime) {
-        drawRealtime(choices.realtime);
     }
     auto fps = static_cast<float>(1.0 / choices.liveSeconds);
     if (ImGui::SliderFloat("frames a second", &fps, static_cast<float>(kLowestFps), 60.0f,

@@ -1,6 +1,4 @@
-// The surroundings, a lamp of one's own, and what the file's lights are.
-#include <fmt/format.h>
-
+// The surroundings, a lamp of one's own, and the lights of the scene.
 #include <algorithm>
 
 #include "view/window/panel_rows.h"
@@ -54,16 +52,7 @@ void drawLightPanel(ViewModel& model) {
     }
     drawSurroundings(model.choices().surroundings);
     drawLamp(model.choices().lamp, model.camera());
-    const std::vector<LightRow>& lights = model.facts().lights;
-    ImGui::TextDisabled("lights when the scene was loaded: %d", static_cast<int>(lights.size()));
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const LightRow& light = lights[i];
-        const std::string label = fmt::format("{}  {}##light{}", light.kind, light.name, i);
-        if (ImGui::TreeNode(label.c_str())) {
-            valueRows(light.facts);
-            ImGui::TreePop();
-        }
-    }
+    drawSceneLights(model);
 }
 
 }  // namespace gp::tool::view

@@ -2,6 +2,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "view/image_view.h"
 #include "view/view_words.h"
 #include "view/window/panel_rows.h"
@@ -30,10 +32,24 @@ void drawPicturePanel(ViewModel& model) {
         textLine((meaning.empty() ? "" : meaning + "; shown: ") +
                  explanationOf(scaleOf(image->info)));
     }
-    if (ImGui::Checkbox("exposure by itself", &choices.autoExposure) && model.picture()) {
+    ImGui::Checkbox("reference beside it (B)", &choices.beside);
+    if (choices.beside && model.picture() && model.picture()->samplesBeside > 0) {
+        ImGui::SliderFloat("divider", &choices.divider, 0.0f, 1.0f, "%.2f");
+        choices.divider = std::clamp(choices.divider, 0.0f, 1.0f);
+        ImGui::TextDisabled("%u samples, they differ by %.2f %%", model.picture()->samplesBeside,
+                            100.0 * model.picture()->rmseBeside);
+    }
+    if (eyeDecides(choices)) {
+        ImGui::TextDisabled("exposure by eye adaptation: %.2f EV",
+                            static_cast<double>(model.picture() ? model.picture()->exposureEv
+                                                                : 0.0f));
+        ImGui::SliderFloat("added", &choices.exposureEv, -16.0f, 16.0f, "%.2f EV");
+    } else if (ImGui::Checkbox("exposure by itself", &choices.autoExposure) && model.picture()) {
         choices.exposureEv = model.picture()->exposureEv;  // goes on from what is seen
     }
-    if (choices.autoExposure) {
+    if (eyeDecides(choices)) {
+        // said above
+    } else if (choices.autoExposure) {
         ImGui::SameLine();
         ImGui::TextDisabled("%.2f EV", static_cast<double>(
                                            model.picture() ? model.picture()->exposureEv : 0.0f));

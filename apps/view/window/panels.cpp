@@ -25,6 +25,7 @@ void drawPanels(ViewModel& model, float height) {
     ImGui::PushItemWidth(-110);  // room for the names at the right
     drawFramePanel(model);
     drawPicturePanel(model);
+    drawRealtimePanel(model);
     drawThingPanel(model);
     drawCameraPanel(model);
     drawLightPanel(model);

@@ -12,10 +12,15 @@ void drawPanels(ViewModel& model, float height);
 
 // The parts, one below the other.
 void drawFramePanel(ViewModel& model);
+void drawRealtimePanel(ViewModel& model);
 void drawCameraPanel(ViewModel& model);
 void drawPicturePanel(ViewModel& model);
 void drawLightPanel(ViewModel& model);
+void drawSceneLights(ViewModel& model);  // within the light panel
 void drawThingPanel(ViewModel& model);
 void drawKeys();
+
+// Over the picture, in the background.
+void drawOverPicture(const ViewModel& model, const PictureArea& area);
 
 }  // namespace gp::tool::view

@@ -130,8 +130,9 @@ private:
         world.saving = m_renderer.isSaving();
         if (const std::optional<ShownPicture>& picture = m_model.picture()) {
             world.liveFrames = picture->liveFrames;
-            if (picture->atRest && picture->serial == m_serial) {
-                world.samplesAtRest = picture->statistics.samplesPerPixel;
+            if (picture->serial == m_serial) {
+                world.samplesAtRest = picture->atRest ? picture->statistics.samplesPerPixel
+                                                      : picture->samplesBeside;
             }
         }
         std::vector<ScriptCommand> shots;
@@ -163,6 +164,7 @@ private:
             ImGui::GetBackgroundDrawList()->AddImage(
                 m_window.pictureTexture(), ImVec2(a.x, a.y),
                 ImVec2(a.x + a.width, a.y + a.height));
+            drawOverPicture(m_model, a);
         }
         if (m_model.showsPanels()) {
             drawPanels(m_model, a.height);

@@ -78,6 +78,12 @@ uint32_t filterOf(PixelFilter filter) {
 
 }  // namespace
 
+SceneView viewFor(const BackendScene& scene, const FramePlan& plan) {
+    SceneView view = static_cast<const CpuScene&>(scene).view();
+    if (plan.sky) showEnvironment(view, plan.sky.get(), glm::vec3(1));
+    return view;
+}
+
 shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan) {
     shared::FrameConstants f{};
     f.width = plan.width, f.height = plan.height;
@@ -98,6 +104,11 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.environment_cos = view.environmentCos, f.environment_sin = view.environmentSin;
     f.environment_cells = view.environment.side;
     f.last_by_lights = plan.lastByLights;
+    f.ray_length = plan.rayLength;
+    if (plan.sky) f.sky = (view.sky ? SKY_TRACED : 0u) | (plan.skyDrawn ? SKY_DRAWN : 0u);
+    f.sky_viewer = plan.skyViewer;
+    f.background_color = view.backgroundColor;
+    f.background_image = view.background.side != 0;
     return f;
 }
 
@@ -108,12 +119,13 @@ static_assert(FREQUENCY_VERTEX == uint32_t(ShadingFrequency::vertex) &&
               FALLOFF_INVERSE == uint32_t(Falloff::inverse) &&
               FALLOFF_NONE == uint32_t(Falloff::none));
 
-shared::LocalLightingConstants localConstants(const CpuScene& scene, const FramePlan& plan) {
+shared::LocalLightingConstants localConstants(const CpuScene& scene, const SceneView& view,
+                                              const FramePlan& plan) {
     shared::LocalLightingConstants c{};
-    c.ambient = plan.local.ambient + scene.view().environmentMean;
+    c.ambient = plan.local.ambient + view.environmentMean;
     c.frequency = uint32_t(plan.local.frequency);
     c.falloff = uint32_t(plan.local.falloff);
-    c.lamps = scene.view().lightCount - uint32_t(scene.emissiveTriangles());
+    c.lamps = view.lightCount - uint32_t(scene.emissiveTriangles());
     c.replaces_materials = plan.local.model != nullptr;
     c.parallel_view = plan.camera.kind == CameraKind::orthographic;
     return c;
@@ -156,7 +168,7 @@ std::unique_ptr<BackendScene> CpuBackend::newScene() {
 // that the result has the same bits everywhere.
 std::array<float, 3> CpuBackend::estimateLightVisibility(const BackendScene& scene,
                                                          const FramePlan& plan) {
-    const SceneView& view = static_cast<const CpuScene&>(scene).view();
+    const SceneView view = viewFor(scene, plan);
     if (view.lightCount == 0) return {1, 1, 1};
     FramePlan small = plan;
     const double scale = std::sqrt(2048.0 / (double(plan.width) * plan.height));
@@ -185,13 +197,27 @@ std::array<float, 3> CpuBackend::estimateLightVisibility(const BackendScene& sce
     return visibility;
 }
 
+void CpuBackend::traceSky(const BackendScene& scene, const FramePlan& plan, uint32_t samples,
+                          CubeMap& cube) {
+    const SceneView view = viewFor(scene, plan);
+    shared::FrameConstants frame = frameConstants(view, plan);
+    frame.sky = view.sky ? SKY_TRACED : 0u;
+    arena_.execute([&] {
+        tbb::parallel_for(0u, 6 * cube.size, [&](uint32_t i) {
+            const DenormalsOff denormalsOff;
+            kernels_.traceSkyRow({&view, &frame, i / cube.size, i % cube.size, cube.size, samples,
+                                  &cube.texels[size_t(i) * cube.size]});
+        });
+    });
+}
+
 RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                                  uint32_t count, FrameImages& images,
                                  const std::atomic<bool>& cancel) {
-    const SceneView& view = static_cast<const CpuScene&>(scene).view();
+    const SceneView view = viewFor(scene, plan);
     const shared::FrameConstants frame = frameConstants(view, plan);
     const bool isLocal = plan.mode == FrameMode::local;
-    const auto local = localConstants(static_cast<const CpuScene&>(scene), plan);
+    const auto local = localConstants(static_cast<const CpuScene&>(scene), view, plan);
     shading::BsdfParams model{};
     if (plan.local.model) model = bsdfParamsFrom(*plan.local.model);
     const uint32_t tilesX = (plan.width + tileSize - 1) / tileSize;

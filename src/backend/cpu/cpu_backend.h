@@ -10,7 +10,10 @@
 
 namespace gp::cpu {
 
-// What a render is, for the kernels.
+// The scene as a render shows it: with the plan's sky in its environment's place.
+SceneView viewFor(const BackendScene& scene, const FramePlan& plan);
+
+// What a render is, for the kernels; `view` by viewFor.
 shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan);
 
 // Embree wants both set on every thread that traces.
@@ -31,6 +34,8 @@ public:
     std::unique_ptr<BackendScene> newScene() override;
     std::array<float, 3> estimateLightVisibility(const BackendScene& scene,
                                                  const FramePlan& plan) override;
+    void traceSky(const BackendScene& scene, const FramePlan& plan, uint32_t samples,
+                  CubeMap& cube) override;
     RayCounts tracePaths(const BackendScene& scene, const FramePlan& plan, uint32_t first,
                          uint32_t count, FrameImages& images,
                          const std::atomic<bool>& cancel) override;

@@ -1,4 +1,9 @@
 // A pass of a real-time frame: its tiles over the threads.
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include <immintrin.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
@@ -15,10 +20,31 @@ constexpr RealtimeSize sizes[] = {
 
 constexpr uint32_t tileSize = 8;
 
+// The time that pixels take is counted in ticks of the processor, which cost little to ask for; how
+// long one is, the whole pass tells.
+class PixelClock {
+public:
+    explicit PixelClock(size_t pixels) : ticks_(pixels) {}  // 0: nobody asked
+    uint64_t* ticks() { return ticks_.empty() ? nullptr : ticks_.data(); }
+    void addTo(float* microseconds) const {
+        if (ticks_.empty()) return;
+        const std::chrono::duration<double, std::micro> passed = Clock::now() - start_;
+        const double tick = passed.count() / double(std::max<uint64_t>(1, __rdtsc() - first_));
+        for (size_t i = 0; i < ticks_.size(); ++i)
+            microseconds[i] += float(double(ticks_[i]) * tick);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::vector<uint64_t> ticks_;
+    Clock::time_point start_ = Clock::now();
+    uint64_t first_ = __rdtsc();
+};
+
 }  // namespace
 
 RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass) {
-    const SceneView& view = static_cast<const CpuScene&>(job.scene).view();
+    const SceneView view = viewFor(job.scene, job.frame);
     const shared::FrameConstants frame = frameConstants(view, job.frame);
     RealtimeTileJob all{};
     all.tile.scene = &view, all.tile.frame = &frame, all.tile.camera = &job.frame.camera;
@@ -31,6 +57,11 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
     all.pass = pass;
 
     const glm::uvec2 size = job.images.size[size_t(sizes[size_t(pass)])];
+    const bool measured =
+        job.heat.rays != nullptr && sizes[size_t(pass)] == RealtimeSize::FULL;
+    PixelClock clock(measured ? size_t(size.x) * size.y : 0);
+    all.pixelTicks = clock.ticks();
+    all.pixelRays = measured ? job.heat.rays : nullptr;
     const glm::uvec2 tiles = (size + (tileSize - 1)) / tileSize;
     tbb::combinable<RayCounts> counts;
     arena_.execute([&] {
@@ -45,6 +76,7 @@ RayCounts CpuBackend::runRealtimePass(const RealtimeJob& job, RealtimePass pass)
             sum.camera += c.camera, sum.bounce += c.bounce, sum.shadow += c.shadow;
         });
     });
+    clock.addTo(job.heat.microseconds);
     return counts.combine([](RayCounts a, const RayCounts& b) {
         return RayCounts{a.camera + b.camera, a.bounce + b.bounce, a.shadow + b.shadow};
     });

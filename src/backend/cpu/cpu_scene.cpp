@@ -86,10 +86,17 @@ void CpuScene::buildMesh(MeshStructure& s) {
     s.stale = false;
 }
 
+ScenePtr CpuScene::newTop() const {
+    ScenePtr top(rtcNewScene(device_));
+    if (!top) throw std::bad_alloc();
+    rtcSetSceneFlags(top.get(), RTC_SCENE_FLAG_NONE);
+    rtcSetSceneBuildQuality(top.get(), RTC_BUILD_QUALITY_MEDIUM);
+    return top;
+}
+
 void CpuScene::fillInstances(const Scene& scene) {
-    top_.reset(rtcNewScene(device_));
-    if (!top_) throw std::bad_alloc();
-    rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_NONE);
+    top_ = newTop();
+    sky_.reset();
     instances_.assign(scene.instances.size(), {});
     for (uint32_t i = 0; i < instances_.size(); ++i) {
         const Instance& source = *scene.instances[i];
@@ -114,7 +121,9 @@ void CpuScene::fillInstances(const Scene& scene) {
         rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &m[0][0]);
         rtcSetGeometryMask(g, source.visibility);
         rtcCommitGeometry(g);
-        rtcAttachGeometryByID(top_.get(), g, i);
+        const bool ofSky = source.visibility == visibleToSky;
+        if (ofSky && !sky_) sky_ = newTop();
+        rtcAttachGeometryByID(ofSky ? sky_.get() : top_.get(), g, i);
         rtcReleaseGeometry(g);
     }
     attachLights(scene);
@@ -123,9 +132,9 @@ void CpuScene::fillInstances(const Scene& scene) {
     constexpr size_t many = 4096;
     size_t shapes = 0;
     for (const auto& table : lightOfPrimitive_) shapes += table.size();
-    rtcSetSceneBuildQuality(top_.get(), built_ && shapes > many ? RTC_BUILD_QUALITY_LOW
-                                                                : RTC_BUILD_QUALITY_MEDIUM);
+    if (built_ && shapes > many) rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_LOW);
     rtcCommitScene(top_.get());
+    if (sky_) rtcCommitScene(sky_.get());
 }
 
 // ------------------------------------------------------------------------------- lights
@@ -194,9 +203,21 @@ void CpuScene::attachLights(const Scene& scene) {
 
 // ------------------------------------------------------------------------------- the view
 
+void showEnvironment(SceneView& view, const EnvironmentTable* t, glm::vec3 color) {
+    view.environmentColor = t && t->black() ? glm::vec3(0) : color;
+    const float mean = t ? float(t->meanLuminance) : 1.0f;
+    view.environmentMean = view.environmentColor * (t ? glm::vec3(t->mean) : glm::vec3(1));
+    view.environmentPower = 3.14159265f * mean * shading::luminance(view.environmentColor);
+    view.environment = {};
+    if (t && !t->black())
+        view.environment = {t->texels.data(), t->cells.data(), t->densities.data(), t->width,
+                            t->height, t->side, t->texelScale, t->densityScale};
+}
+
 void CpuScene::fillView(const Scene& scene) {
     view_ = {};
     view_.scene = top_.get();
+    view_.sky = sky_.get();
     view_.instances = instances_.data();
     view_.geometries = geometries_.data();
     materials_.show(view_);
@@ -210,15 +231,9 @@ void CpuScene::fillView(const Scene& scene) {
     view_.lightTreeNodes = uint32_t(lights_.tree.size());
     view_.directionalLights = lights_.directionalCount;
     const Environment& e = scene.environment;
-    const EnvironmentTable* t = e.table.get();
-    view_.environmentColor = t && t->black() ? glm::vec3(0) : e.color;
     view_.environmentCos = std::cos(e.rotation), view_.environmentSin = std::sin(e.rotation);
-    const float mean = t ? float(t->meanLuminance) : 1.0f;
-    view_.environmentMean = view_.environmentColor * (t ? glm::vec3(t->mean) : glm::vec3(1));
-    view_.environmentPower = 3.14159265f * mean * shading::luminance(view_.environmentColor);
-    if (t && !t->black())
-        view_.environment = {t->texels.data(), t->cells.data(), t->densities.data(), t->width,
-                             t->height, t->side, t->texelScale, t->densityScale};
+    showEnvironment(view_, e.table.get(), e.color);
+    view_.background = view_.environment, view_.backgroundColor = view_.environmentColor;
     environment_ = e.table;
 }
 

@@ -21,6 +21,9 @@ struct SceneDeleter { void operator()(RTCScene s) const { rtcReleaseScene(s); } 
 using DevicePtr = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
 using ScenePtr = std::unique_ptr<RTCSceneTy, SceneDeleter>;
 
+// Light that is chosen from a table and a colour, or from a colour alone.
+void showEnvironment(SceneView& view, const EnvironmentTable* table, glm::vec3 color);
+
 class CpuScene final : public BackendScene {
 public:
     // `embreeBytes` counts the memory of the device's structures. All must outlive the scene.
@@ -49,6 +52,7 @@ private:
     void rebuild(const Scene& scene);
     void updateMeshes(const Scene& scene);
     void buildMesh(MeshStructure& s);
+    ScenePtr newTop() const;
     void fillInstances(const Scene& scene);
     void attachLights(const Scene& scene);
     void fillView(const Scene& scene);
@@ -61,7 +65,7 @@ private:
     bool built_ = false;
 
     std::unordered_map<const Mesh*, MeshStructure> meshes_;
-    ScenePtr top_;
+    ScenePtr top_, sky_;  // sky geometry apart, so that no other ray comes near it
     std::vector<shared::InstanceRecord> instances_;
     std::vector<GeometryView> geometries_;
     MaterialTable materials_;

@@ -30,16 +30,22 @@ void Kernels::record(uint32_t kind, const Ray& ray) const {
         {ray.direction.x, ray.direction.y, ray.direction.z}, ray.t_min, ray.t_max};
 }
 
-Hit Kernels::trace_closest(const Ray& ray) {
+Hit Kernels::trace(RTCScene scene, const Ray& ray, uint32_t mask) {
     ++counts.bounce;
-    record(1, ray);
     RTCRayHit q;
-    setRay(q.ray, ray, rayBounce);
+    setRay(q.ray, ray, mask);
     q.hit.geomID = q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     query.alphaSeed = nextAlphaSeed();
-    intersect1(view.scene, query, q);
+    intersect1(scene, query, q);
     return makeHit(view, q.hit.instID[0], q.hit.geomID, q.hit.primID, q.ray.tfar, q.hit.u, q.hit.v);
 }
+
+Hit Kernels::trace_closest(const Ray& ray) {
+    record(1, ray);
+    return trace(view.scene, ray, rayBounce);
+}
+
+Hit Kernels::trace_sky(const Ray& ray) { return trace(view.sky, ray, raySky); }
 
 float Kernels::trace_visible(const Ray& ray) {
     ++counts.shadow;

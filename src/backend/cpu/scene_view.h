@@ -49,6 +49,7 @@ struct EnvironmentView {
 
 struct SceneView {
     RTCScene scene;             // null: empty
+    RTCScene sky;               // sky geometry; null: none
     const shared::InstanceRecord* instances;
     const GeometryView* geometries;
     const shared::MaterialRecord* materials;
@@ -66,6 +67,16 @@ struct SceneView {
     glm::vec3 environmentMean;                // radiance over the sphere
     float environmentCos, environmentSin;     // of its rotation
     float environmentPower;                   // luminance of the irradiance, W/m^2
+    EnvironmentView background;               // the scene's own, as rays without weights see it
+    glm::vec3 backgroundColor;
+};
+
+// A row of texels of one face of a cube of all directions.
+struct SkyRowJob {
+    const SceneView* scene;
+    const shared::FrameConstants* frame;
+    uint32_t face, row, size, samples;
+    glm::vec3* texels;
 };
 
 // Rays as they were traced, for the benchmark that traces them again with bare Embree.
@@ -111,6 +122,9 @@ struct RealtimeTileJob {
     const uint32_t* currentOfPrevious;
     const uint32_t* currentLightOfPrevious;
     RealtimePass pass;
+    // What each pixel costs is added to, row after row; null: nobody asked.
+    float* pixelRays;
+    uint64_t* pixelTicks;       // of the time-stamp counter
 };
 
 // The hot code, once for each instruction set (isa/).
@@ -119,6 +133,7 @@ struct IsaKernels {
     TileCounts (*traceTile)(const TileJob& job);
     void (*tonemap)(const PixelSums* sums, glm::u8vec4* display, size_t count, float exposureEv,
                     uint32_t tonemap);
+    void (*traceSkyRow)(const SkyRowJob& job);
     void (*alphaFilter)(const RTCFilterFunctionNArguments* arguments);
 };
 

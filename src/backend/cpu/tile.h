@@ -110,6 +110,16 @@ inline TileCounts traceTile(const TileJob& job) {
     return renderTile(k, job, [&](TilePixels& t, uint32_t count) { tracePaths(k, t, count); });
 }
 
+inline void traceSkyRow(const SkyRowJob& job) {
+    Kernels k(*job.scene, *job.frame);
+    initQuery(k.query, job.scene, nullptr, false);
+    for (uint32_t x = 0; x < job.size; ++x) {
+        // The same for the same texel: coverage by chance must not flicker.
+        k.pathSeed = hash_u32((job.face * job.size + job.row) * job.size + x);
+        job.texels[x] = k.sky_cube_texel(job.face, uvec2(x, job.row), job.size, job.samples);
+    }
+}
+
 inline void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv,
                    uint32_t tonemap) {
     const float scale = std::exp2(exposureEv);

@@ -28,6 +28,9 @@ public:
     std::array<float, 3> estimateLightVisibility(const BackendScene&, const FramePlan&) override {
         return {1, 1, 1};
     }
+    void traceSky(const BackendScene&, const FramePlan&, uint32_t, CubeMap& cube) override {
+        std::fill(cube.texels.begin(), cube.texels.end(), glm::vec3(0));
+    }
     RayCounts tracePaths(const BackendScene&, const FramePlan&, uint32_t, uint32_t count,
                          FrameImages& images, const std::atomic<bool>& cancel) override {
         for (PixelSums& sums : images.sums) {

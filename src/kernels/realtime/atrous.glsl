@@ -7,17 +7,17 @@
 #define GP_KERNELS_REALTIME_ATROUS_GLSL
 #include "kernels/realtime/edge_stop.glsl"
 
-// Iterations pass their results on: other, history, direct (specular), other, direct.
+// Iterations pass their results on: direct (specular), history, direct, other, direct.
 #define ATROUS_ITERATIONS 4
 
 vec4 atrous_direct(ivec2 at, int iteration) {
     if (iteration == 1) { return load_direct_history(at); }
-    return iteration == 2 ? load_direct(at) : load_direct_other(at);
+    return iteration == 3 ? load_direct_other(at) : load_direct(at);
 }
 
 vec4 atrous_specular(ivec2 at, int iteration) {
     if (iteration == 1) { return load_specular_history(at); }
-    return iteration == 2 ? load_specular(at) : load_specular_other(at);
+    return iteration == 3 ? load_specular_other(at) : load_specular(at);
 }
 
 void atrous_store(ivec2 pixel, int iteration, vec4 direct, vec4 specular) {
@@ -64,17 +64,15 @@ AtrousStops atrous_stops(ivec2 pixel, int iteration, uint material, float depth,
     LET_REF(RealtimeConstants) c = load_realtime();
     AtrousStops s;
     float step = float(1 << iteration);
-    s.surface.material = material;
-    s.surface.depth = depth;
-    s.surface.normal = octahedral_decode(load_normal(pixel).x);
-    s.surface.slope = finite_or_zero(load_motion(pixel).w);
+    s.surface = edge_test(material, depth, finite_or_zero(load_motion(pixel).w),
+                          load_normal(pixel));
     s.depth_straight = 1.0f / depth_allowance(depth, s.surface.slope, step, c.filter_depth);
     s.depth_diagonal =
         1.0f / depth_allowance(depth, s.surface.slope, 2.0f * step, c.filter_depth);
     s.roughness = material_roughness(material);
     s.specular_normal = specular_normal_stop(s.roughness, c.filter_normal);
     s.specular_share = specular_filter_share(s.roughness, iteration);
-    vec4 frames = load_history_length(pixel) * 255.0f;
+    vec2 frames = load_history_length(pixel) * 255.0f;
     s.direct_luma = luminance(vec3(direct));
     s.specular_luma = luminance(vec3(specular));
     s.direct_stop =
@@ -89,7 +87,7 @@ vec2 atrous_weights(ivec2 at, int iteration, IN(AtrousStops) s, float depth_stop
     LET_REF(RealtimeConstants) c = load_realtime();
     uint material = load_material(at);
     if (((material ^ s.surface.material) & MATERIAL_SURFACE_BITS) != 0u) { return vec2(0.0f); }
-    float bend = 1.0f - dot(octahedral_decode(load_normal(at).x), s.surface.normal);
+    float bend = 1.0f - normal_cosine(s.surface, load_normal(at));
     float apart = abs(load_depth(at) - s.surface.depth) * depth_stop;
     float direct = abs(luminance(vec3(atrous_direct(at, iteration))) - s.direct_luma);
     float specular = abs(luminance(vec3(atrous_specular(at, iteration))) - s.specular_luma);

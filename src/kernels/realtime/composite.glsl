@@ -8,13 +8,13 @@
 // Filtered over many mapped normals, indirect light is that of the unmapped one; as the rays left
 // it, it is that of the pixel's own.
 vec3 composite_indirect(ivec2 pixel) {
-    uvec2 normals = load_normal(pixel);
-    vec3 n = octahedral_decode(normals.x);
-    vec3 n0 = load_realtime().relights != 0u ? octahedral_decode(normals.y) : n;
-    return indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel), n0, n);
+    if (load_realtime().relights == 0u) { return load_indirect_raw(pixel); }
+    return indirect_relit(load_indirect(pixel), load_indirect_chroma(pixel),
+                          octahedral_decode(load_unmapped_normal(pixel)),
+                          octahedral_decode(load_normal(pixel)));
 }
 
-void realtime_composite(ivec2 pixel) {
+void realtime_composite(ivec2 pixel, int) {
     vec4 emission = load_emission(pixel);
     vec3 diffuse = vec3(load_direct(pixel)) + composite_indirect(pixel);
     vec3 color = vec3(emission) + vec3(load_albedo(pixel)) * diffuse +

@@ -43,10 +43,26 @@ bool pixel_is_inside(ivec2 at, ivec2 size) {
 // What surfaces of neighbours are compared with. `slope`: of depth, metres a pixel.
 struct EdgeTest {
     vec3 normal;
+    uint normal_code;  // as it is stored
     float depth;
     float slope;
     uint material;
 };
+
+EdgeTest edge_test(uint material, float depth, float slope, uint normal) {
+    EdgeTest s;
+    s.material = material;
+    s.depth = depth;
+    s.slope = slope;
+    s.normal_code = normal;
+    s.normal = octahedral_decode(normal);
+    return s;
+}
+
+// Of the angle to another stored normal. Most neighbours lie on one plane.
+float normal_cosine(IN(EdgeTest) s, uint other) {
+    return other == s.normal_code ? 1.0f : dot(octahedral_decode(other), s.normal);
+}
 
 // Depth per pixel of distance that a plane may have, and what rounding and curvature add.
 float depth_allowance(float depth, float slope, float distance, float tolerance) {

@@ -18,6 +18,12 @@ struct PastPixel {
     float luminance;
 };
 
+// The pixel of the last frame that showed what `pixel` shows; it may be outside of the picture.
+ivec2 past_place(ivec2 pixel, vec4 motion) {
+    return ivec2(int(floor(float(pixel.x) + 0.5f + motion.x)),
+                 int(floor(float(pixel.y) + 0.5f + motion.y)));
+}
+
 bool past_surface_agrees(ivec2 pixel, ivec2 past, vec4 motion) {
     uint flags = unpack_material(load_previous_material(past)).flags;
     uint mirrors = unpack_material(load_previous_material(past)).mirrors;
@@ -28,9 +34,9 @@ bool past_surface_agrees(ivec2 pixel, ivec2 past, vec4 motion) {
     }
     float depth = load_depth(pixel);
     float error = abs(load_previous_depth(past) - (depth + motion.z));
-    vec3 n = octahedral_decode(load_normal(pixel).y);
+    vec3 n = octahedral_decode(load_unmapped_normal(pixel));
     return error < GRADIENT_DEPTH_ERROR * depth &&
-           dot(n, octahedral_decode(load_previous_normal(past).y)) > GRADIENT_NORMAL_COSINE;
+           dot(n, octahedral_decode(load_previous_unmapped_normal(past))) > GRADIENT_NORMAL_COSINE;
 }
 
 // A pixel that repeated another one had not the draws of its own place: it cannot be repeated by
@@ -50,8 +56,7 @@ PastPixel find_past_pixel(ivec2 pixel) {
     uint unfit = REALTIME_SKY | REALTIME_UNLIT | REALTIME_NO_HISTORY;
     if ((m.flags & unfit) != 0u || m.mirrors != 0u) { return past; }
     vec4 motion = load_motion(pixel);
-    past.at = ivec2(int(floor(float(pixel.x) + 0.5f + motion.x)),
-                    int(floor(float(pixel.y) + 0.5f + motion.y)));
+    past.at = past_place(pixel, motion);
     bool inside = past.at.x >= 0 && past.at.y >= 0 && past.at.x < r.size.x && past.at.y < r.size.y;
     if (!inside || has_repeated(past.at)) { return past; }
     if (!past_surface_agrees(pixel, past.at, motion)) { return past; }

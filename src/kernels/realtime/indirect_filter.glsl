@@ -41,18 +41,14 @@ float indirect_apart(ivec2 at, IN(EdgeTest) s, float distance) {
     LET_REF(RealtimeConstants) c = load_realtime();
     uvec2 guide = load_indirect_guide(at);
     float allowed = depth_allowance(s.depth, s.slope, 3.0f * distance, c.filter_depth);
-    float bend = 1.0f - dot(octahedral_decode(guide.y), s.normal);
+    float bend = 1.0f - normal_cosine(s, guide.y);
     return abs(uintBitsToFloat(guide.x) - s.depth) / allowed + bend * c.indirect_filter_normal;
 }
 
 // The surface of a block. Without light: its depth is DEPTH_NONE.
 EdgeTest indirect_surface(ivec2 block) {
     uvec2 guide = load_indirect_guide(block);
-    EdgeTest s;
-    s.material = 0u;
-    s.depth = uintBitsToFloat(guide.x);
-    s.normal = octahedral_decode(guide.y);
-    s.slope = 0.0f;
+    EdgeTest s = edge_test(0u, uintBitsToFloat(guide.x), 0.0f, guide.y);
     if (s.depth < DEPTH_NONE) { s.slope = finite_or_zero(load_motion(block_pixel(block)).w); }
     return s;
 }

@@ -4,9 +4,10 @@
 #ifndef GP_KERNELS_REALTIME_INDIRECT_TEMPORAL_GLSL
 #define GP_KERNELS_REALTIME_INDIRECT_TEMPORAL_GLSL
 #include "kernels/realtime/edge_stop.glsl"
+#include "shading/ycocg.glsl"
 
-// Light as the raw image has it (luma, and luma times direction) and its chroma; z of `chroma` is
-// the frames it is made of, w the variance of one frame's luma.
+// Luma, and luma times direction; Co and Cg. z of `chroma` is the frames it is made of, w the
+// variance of one frame's luma.
 struct BlockLight {
     vec4 light;
     vec4 chroma;
@@ -55,12 +56,11 @@ BlockSum block_sum(ivec2 block, IN(EdgeTest) s, int without) {
         if (i == without || !pixel_is_inside(at, c.size)) { continue; }
         if (((load_material(at) ^ s.material) & MATERIAL_SURFACE_BITS) != 0u) { continue; }
         if (!(abs(load_depth(at) - s.depth) <= allowance)) { continue; }
-        if (dot(octahedral_decode(load_normal(at).y), s.normal) < c.history_normal) { continue; }
+        if (normal_cosine(s, load_unmapped_normal(at)) < c.history_normal) { continue; }
+        vec3 raw = ycocg_from_rgb(load_indirect_raw(at));
         BlockLight b;
-        b.light = finite_or_zero_4(load_indirect(at));
-        vec2 chroma = load_indirect_chroma(at);
-        b.chroma = vec4(finite_or_zero(chroma.x), finite_or_zero(chroma.y), 0.0f,
-                        b.light.x * b.light.x);
+        b.light = vec4(raw.x, octahedral_decode(load_indirect_from(at)) * raw.x);
+        b.chroma = vec4(raw.y, raw.z, 0.0f, raw.x * raw.x);
         if (b.light.x > sum.brightest.light.x) {
             sum.second = sum.brightest.light.x;
             sum.brightest = b;
@@ -111,9 +111,9 @@ BlockLight block_history(vec2 position, IN(EdgeTest) s) {
         if (weight < 1.0e-3f || !pixel_is_inside(at, size)) { continue; }
         uvec2 guide = load_previous_indirect_guide(at);
         if (!(abs(uintBitsToFloat(guide.x) - s.depth) <= allowance)) { continue; }
-        if (dot(octahedral_decode(guide.y), s.normal) < c.history_normal) { continue; }
-        h.light += load_previous_indirect_history(at) * weight;
-        h.chroma += load_previous_indirect_history_chroma(at) * weight;
+        if (normal_cosine(s, guide.y) < c.history_normal) { continue; }
+        h.light += load_indirect_history(at) * weight;
+        h.chroma += load_indirect_history_chroma(at) * weight;
         sum += weight;
     }
     if (sum > 0.0f) {
@@ -151,13 +151,9 @@ void indirect_temporal(ivec2 block, int mode) {
         store_indirect_low_chroma(block, vec4(0.0f));
         return;
     }
-    uint normal = load_normal(pixel).y;
+    uint normal = load_unmapped_normal(pixel);
     vec4 motion = finite_or_zero_4(load_motion(pixel));
-    EdgeTest s;
-    s.material = load_material(pixel);
-    s.depth = load_depth(pixel);
-    s.slope = motion.w;
-    s.normal = octahedral_decode(normal);
+    EdgeTest s = edge_test(load_material(pixel), load_depth(pixel), motion.w, normal);
     store_indirect_guide(block, uvec2(floatBitsToUint(s.depth), normal));
     BlockLight history = no_block_light();
     if (mode != TEMPORAL_NONE && c.has_previous != 0u &&

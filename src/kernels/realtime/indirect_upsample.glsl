@@ -11,12 +11,15 @@
 void indirect_upsample(ivec2 pixel, int) {
     LET_REF(RealtimeConstants) c = load_realtime();
     ivec2 size = (c.size + 2) / 3;
-    EdgeTest s;
-    s.material = load_material(pixel);
-    s.depth = load_depth(pixel);
-    if (!pixel_is_lit(s.material, s.depth)) { return; }
-    s.normal = octahedral_decode(load_normal(pixel).y);
-    s.slope = finite_or_zero(load_motion(pixel).w);
+    uint material = load_material(pixel);
+    float depth = load_depth(pixel);
+    if (!pixel_is_lit(material, depth)) {
+        store_indirect(pixel, vec4(0.0f));
+        store_indirect_chroma(pixel, vec2(0.0f));
+        return;
+    }
+    EdgeTest s = edge_test(material, depth, finite_or_zero(load_motion(pixel).w),
+                           load_unmapped_normal(pixel));
     vec2 position = (vec2(pixel) - 1.0f) * (1.0f / 3.0f);
     vec2 corner = floor(position);
     vec2 part = position - corner;

@@ -12,26 +12,44 @@
 
 #define REUSE_MOST_NEIGHBOURS 9   // the pixel's own past included
 
-// What a point of a light would bring to a surface, were it not hidden: as luminance, over the
-// density of the point on its light, and weighted against rays by the material.
-float reuse_target(IN(PixelSurface) at, uint light, vec2 u) {
+// What a point of a light would bring to a surface, were it not hidden.
+struct UnshadowedLight {
+    LightSample point;
+    vec3 wi_local;
+    vec3 f_cos;
+    vec3 light;    // radiance over the density of the point on its light; zero: none
+};
+
+// `weigh`: weighted against rays by the material.
+UnshadowedLight unshadowed_light(IN(PixelSurface) at, uint light, vec2 u, bool weigh) {
     LightChoice choice;
     choice.light = light;
     choice.pmf = 1.0f;
     ChosenLight c = chosen_light_point(choice, at.s.position, u);
-    if (!(c.point.pdf > 0.0f)) { return 0.0f; }
-    vec3 wi_local = local_from_world(at.p.frame, c.point.wi);
-    if (!sides_agree(at.s, at.wo, c.point.wi, at.wo_local, wi_local)) { return 0.0f; }
-    BsdfValue value = bsdf_eval(at.p.bsdf, at.wo_local, wi_local);
-    float w = c.point.is_delta != 0u ? 1.0f : mis_power(c.point.pdf, value.pdf);
-    return luminance(value.f_cos * chosen_light_radiance(c)) * (w / c.point.pdf);
+    UnshadowedLight there;
+    there.point = c.point;
+    there.wi_local = vec3(0.0f);
+    there.f_cos = vec3(0.0f);
+    there.light = vec3(0.0f);
+    if (!(c.point.pdf > 0.0f)) { return there; }
+    there.wi_local = local_from_world(at.p.frame, c.point.wi);
+    if (!sides_agree(at.s, at.wo, c.point.wi, at.wo_local, there.wi_local)) { return there; }
+    BsdfValue value = bsdf_eval(at.p.bsdf, at.wo_local, there.wi_local);
+    float w = c.point.is_delta != 0u || !weigh ? 1.0f : mis_power(c.point.pdf, value.pdf);
+    there.f_cos = value.f_cos;
+    there.light = chosen_light_radiance(c) * (w / c.point.pdf);
+    return there;
+}
+
+float reuse_target(IN(PixelSurface) at, uint light, vec2 u) {
+    UnshadowedLight there = unshadowed_light(at, light, u, true);
+    return luminance(there.f_cos * there.light);
 }
 
 // A reservoir of the last frame, its light under its present number.
-Reservoir past_reservoir(ivec2 past) {
+Reservoir reservoir_now(IN(Reservoir) kept) {
     LET_REF(RealtimeConstants) r = load_realtime();
-    Reservoir reservoir =
-        reservoir_unpack(load_previous_reservoir(past), load_previous_reservoir_weight(past));
+    Reservoir reservoir = kept;
     if (reservoir.light != NO_INDEX && reservoir.light != LIGHT_ENVIRONMENT) {
         reservoir.light =
             reservoir.light < r.previous_lights ? load_current_light(reservoir.light) : NO_INDEX;
@@ -39,11 +57,15 @@ Reservoir past_reservoir(ivec2 past) {
     return reservoir;
 }
 
+Reservoir past_reservoir(ivec2 past) {
+    return reservoir_now(
+        reservoir_unpack(load_previous_reservoir(past), load_previous_reservoir_weight(past)));
+}
+
 // Where in the last frame the `number`th neighbour is; 0 is the pixel's own past.
-ivec2 past_neighbour(ivec2 own, uint number, vec2 u) {
-    LET_REF(RealtimeConstants) r = load_realtime();
+ivec2 past_neighbour(ivec2 own, uint number, float most, vec2 u) {
     if (number == 0u) { return own; }
-    float radius = r.reuse_radius * sqrt(u.x);
+    float radius = most * sqrt(u.x);
     float angle = TWO_PI * u.y;
     return own + ivec2(int(round(radius * cos(angle))), int(round(radius * sin(angle))));
 }
@@ -55,9 +77,9 @@ bool past_is_like(ivec2 pixel, ivec2 past, vec4 motion) {
     uint unfit = REALTIME_SKY | REALTIME_UNLIT;
     if ((unpack_material(load_previous_material(past)).flags & unfit) != 0u) { return false; }
     float depth = load_depth(pixel);
-    vec3 n = octahedral_decode(load_normal(pixel).y);
+    vec3 n = octahedral_decode(load_unmapped_normal(pixel));
     return abs(load_previous_depth(past) - (depth + motion.z)) < GRADIENT_DEPTH_ERROR * depth &&
-           dot(n, octahedral_decode(load_previous_normal(past).y)) > GRADIENT_NORMAL_COSINE;
+           dot(n, octahedral_decode(load_previous_unmapped_normal(past))) > GRADIENT_NORMAL_COSINE;
 }
 
 // Candidates of this frame, as shadow rays choose without reuse. Returns how many there are.
@@ -88,7 +110,8 @@ float count_possible(IN(ReservoirStream) stream, float own_count, ivec2 own_past
     Sampler draws = placing;
     float possible = own_count;
     for (uint i = 0u; i <= neighbours; ++i) {
-        ivec2 past = past_neighbour(own_past, i, sampler_next_2d(draws));
+        ivec2 past = past_neighbour(own_past, i, load_realtime().reuse_radius,
+                                    sampler_next_2d(draws));
         if ((used & (1u << i)) == 0u) { continue; }
         PixelSurface there = load_past_surface(past);
         if (there.exists != 0u && reuse_target(there, stream.kept.light, stream.kept.u) > 0.0f) {
@@ -109,8 +132,7 @@ Reservoir resampled_light(ivec2 pixel, IN(PixelSurface) at, IN(PathVertex) verte
         return reservoir_finished(stream, own_count);
     }
     vec4 motion = load_motion(pixel);
-    ivec2 own_past = ivec2(int(floor(float(pixel.x) + 0.5f + motion.x)),
-                           int(floor(float(pixel.y) + 0.5f + motion.y)));
+    ivec2 own_past = past_place(pixel, motion);
     float most = own_count * r.reuse_history;
     uint neighbours = min(uint(r.reuse_neighbours), uint(REUSE_MOST_NEIGHBOURS - 1));
     uint used = 0u;
@@ -118,7 +140,7 @@ Reservoir resampled_light(ivec2 pixel, IN(PixelSurface) at, IN(PathVertex) verte
     deciding.dimension += uint(REUSE_MOST_NEIGHBOURS);
     Sampler placing = draws;
     for (uint i = 0u; i <= neighbours; ++i) {
-        ivec2 past = past_neighbour(own_past, i, sampler_next_2d(placing));
+        ivec2 past = past_neighbour(own_past, i, r.reuse_radius, sampler_next_2d(placing));
         float u = sampler_next_1d(deciding);
         if (!past_is_like(pixel, past, motion)) { continue; }
         Reservoir found = past_reservoir(past);
@@ -143,7 +165,7 @@ void keep_reservoir(ivec2 pixel, IN(Reservoir) reservoir, bool visible) {
     LET_REF(RealtimeConstants) r = load_realtime();
     Reservoir kept = reservoir;
     if (!visible && r.light_reuse == LIGHT_REUSE_BIASED) { kept.weight = 0.0f; }
-    store_reservoir(pixel, uvec2(kept.light, floatBitsToUint(kept.u.x)));
+    store_reservoir(pixel, reservoir_pack_sample(kept));
     store_reservoir_weight(pixel, reservoir_pack_weight(kept));
 }
 

@@ -3,9 +3,10 @@
 // reference's does. What they bring is kept in three channels: diffuse light of lamps and sky,
 // diffuse light of surfaces, and all else.
 // Resources: load_gradient_sample, store_… of the channels and luma, note_draws, and those of
-// pixel_surface.glsl and light_reuse.glsl.
+// light_reuse.glsl and indirect_reuse.glsl.
 #ifndef GP_KERNELS_REALTIME_LIGHTING_GLSL
 #define GP_KERNELS_REALTIME_LIGHTING_GLSL
+#include "kernels/realtime/indirect_reuse.glsl"
 #include "kernels/realtime/light_reuse.glsl"
 #include "kernels/realtime/pixel_surface.glsl"
 #include "shading/ycocg.glsl"
@@ -16,6 +17,7 @@
 #define DRAW_SUN 1u
 #define LIGHTING_OWN_DRAWS 2u
 #define REUSE_DRAWS 192u    // of light reuse, behind those of any path
+#define INDIRECT_REUSE_DRAWS 384u  // behind those of light reuse
 
 #define SKY_DISTANCE 65504.0f  // of what a specular ray shows, where that is the sky
 
@@ -23,7 +25,7 @@
 struct PixelLight {
     vec3 direct;
     vec3 indirect;
-    vec3 indirect_from;   // direction of the latter
+    vec3 indirect_from;   // mean direction of the latter, by its luma
     vec3 specular;
     float specular_distance;
 };
@@ -31,11 +33,25 @@ struct PixelLight {
 // Adds light that arrives from wi: `f` is what the surface reflects of it, over any density.
 PixelLight add_direct(PixelLight sum, IN(PixelSurface) at, vec3 wi_local, vec3 f, float inv_pdf,
                       vec3 light) {
-    vec3 diffuse = bsdf_is_diffuse(at.p.bsdf)
-                       ? f : bsdf_diffuse_part(at.p.bsdf, at.wo_local, wi_local) * inv_pdf;
+    vec3 diffuse = diffuse_share(at, wi_local, f, inv_pdf);
     vec3 seen = at.throughput * light;
     sum.direct += diffuse * seen * at.inv_albedo;
     sum.specular += (f - diffuse) * seen * at.inv_specular_albedo;
+    return sum;
+}
+
+// Adds light of surfaces that arrives from wi, which the diffuse lobe has `diffuse` of and all
+// others `other`.
+PixelLight add_indirect(PixelLight sum, IN(PixelSurface) at, vec3 wi, vec3 diffuse, vec3 other,
+                        vec3 light) {
+    vec3 seen = at.throughput * light;
+    vec3 more = diffuse * seen * at.inv_albedo;
+    float luma = ycocg_from_rgb(sum.indirect).x;
+    float more_luma = ycocg_from_rgb(more).x;
+    float share = luma > 0.0f ? more_luma / (luma + more_luma) : 1.0f;
+    sum.indirect_from = sum.indirect_from * (1.0f - share) + wi * share;
+    sum.indirect += more;
+    sum.specular += other * seen * at.inv_specular_albedo;
     return sum;
 }
 
@@ -72,30 +88,58 @@ PixelLight add_resampled_ray(PixelLight sum, ivec2 pixel, ivec2 past, IN(PixelSu
     return next;
 }
 
-// The ray by the material, and the path behind it.
-PixelLight add_bounce(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex,
-                      IN(PathState) start, IN(BsdfSample) b) {
+// What the ray by the material brings, but for what is left to others to find.
+struct BouncedLight {
+    PixelLight sum;
+    OwnBounce own;
+};
+
+// The ray by the material, and the path behind it. `reuse`: the light that its first surface's
+// shadow ray finds is not added where it can be resampled.
+BouncedLight add_bounce(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex,
+                        IN(PathState) start, IN(BsdfSample) b, bool reuse) {
     PathState path = start;
+    BouncedLight bounced;
+    bounced.sum = sum;
+    bounced.own = own_bounce_none();
     path_leave(path, at.s, at.p, vertex, at.wo_local, b, -1.0f);
-    if (path.ended != 0u) { return sum; }
+    if (path.ended != 0u) { return bounced; }
     path.throughput = vec3(1.0f);
     path.hit = trace_closest(path.ray);
     vec3 wi = path.ray.direction;
     sum.specular_distance =
         path.hit.instance == HIT_NOTHING ? SKY_DISTANCE : min(path.hit.t, SKY_DISTANCE);
+    Hit first = path.hit;
+    path_continue(path);
+    if (reuse && first.instance < HIT_LIGHT) {
+        bounced.own = take_bounce(path, at, first, b.pdf);
+    }
     while (path.ended == 0u) {
+        path.hit = trace_closest(path.ray);
         path_continue(path);
-        if (path.ended == 0u) { path.hit = trace_closest(path.ray); }
     }
     float inv_pdf = 1.0f / b.pdf;
-    vec3 diffuse = bsdf_is_diffuse(at.p.bsdf)
-                       ? b.weight : bsdf_diffuse_part(at.p.bsdf, at.wo_local, b.wi) * inv_pdf;
+    vec3 diffuse = diffuse_share(at, b.wi, b.weight, inv_pdf);
+    vec3 other = max(b.weight - diffuse, vec3(0.0f));
     sum = add_direct(sum, at, b.wi, b.weight, inv_pdf, path.light.direct);
-    vec3 seen = at.throughput * path.light.indirect;
-    sum.indirect = diffuse * seen * at.inv_albedo;
-    sum.indirect_from = wi;
-    sum.specular += max(b.weight - diffuse, vec3(0.0f)) * seen * at.inv_specular_albedo;
-    return sum;
+    sum = add_indirect(sum, at, wi, diffuse, other, path.light.indirect);
+    if (reuse && !takes_part(at)) {
+        sum = add_indirect(sum, at, wi, vec3(0.0f), other, bounced.own.light);
+    }
+    bounced.sum = sum;
+    return bounced;
+}
+
+// The light that add_bounce left out, by what pixels have found so far.
+PixelLight add_resampled_bounce(PixelLight sum, ivec2 pixel, ivec2 past, IN(PixelSurface) at,
+                                IN(OwnBounce) own, Sampler draws) {
+    draws.dimension = INDIRECT_REUSE_DRAWS;
+    IndirectChoice choice = chosen_bounce(pixel, past, at, own, draws);
+    float weight = choice.kept.light.weight;
+    if (!(weight > 0.0f)) { return sum; }
+    LET_REF(IndirectPath) path = choice.path;
+    return add_indirect(sum, at, path.way.wi, path.diffuse, path.f - path.diffuse,
+                        path.light * (weight * path.geometry));
 }
 
 PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler draws) {
@@ -142,7 +186,12 @@ PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler dra
     RayCone cone;
     cone.width = 0.0f;
     cone.spread = camera_pixel_spread(load_camera(), float(load_realtime().size.y));
-    return add_bounce(sum, at, vertex, path_begin(arriving, cone, draws), b);
+    bool indirect_reuse = load_realtime().indirect_reuse != LIGHT_REUSE_NONE;
+    BouncedLight bounced =
+        add_bounce(sum, at, vertex, path_begin(arriving, cone, draws), b, indirect_reuse);
+    return indirect_reuse
+               ? add_resampled_bounce(bounced.sum, pixel, past, at, bounced.own, draws)
+               : bounced.sum;
 }
 
 vec3 finite_or_black(vec3 v) {
@@ -151,13 +200,14 @@ vec3 finite_or_black(vec3 v) {
 
 void store_pixel_light(ivec2 pixel, IN(PixelLight) light) {
     vec3 direct = finite_or_black(light.direct);
-    vec3 indirect = ycocg_from_rgb(finite_or_black(light.indirect));
+    vec3 indirect = finite_or_black(light.indirect);
     vec3 specular = finite_or_black(light.specular);
     store_direct(pixel, vec4(direct, 1.0f));
-    store_indirect(pixel, vec4(indirect.x, light.indirect_from * indirect.x));
-    store_indirect_chroma(pixel, vec2(indirect.y, indirect.z));
+    store_indirect_raw(pixel, indirect);
+    store_indirect_from(pixel, octahedral_encode(light.indirect_from));
     store_specular(pixel, vec4(specular, light.specular_distance));
-    store_luma(pixel, vec4(luminance(direct), indirect.x, luminance(specular), 0.0f));
+    store_luma(pixel, vec4(luminance(direct), ycocg_from_rgb(indirect).x, luminance(specular),
+                           0.0f));
 }
 
 void realtime_light(ivec2 pixel) {
@@ -172,6 +222,9 @@ void realtime_light(ivec2 pixel) {
     if ((m.flags & (REALTIME_SKY | REALTIME_UNLIT)) != 0u) {
         store_pixel_light(pixel, none);
         if (r.light_reuse != LIGHT_REUSE_NONE) { keep_reservoir(pixel, reservoir_empty(), true); }
+        if (r.indirect_reuse != LIGHT_REUSE_NONE) {
+            keep_indirect_reservoir(pixel, indirect_reservoir_empty());
+        }
         return;
     }
     ivec2 drawing = pixel;

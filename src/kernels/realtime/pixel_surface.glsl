@@ -32,13 +32,11 @@ Hit hit_of_pixel(uvec2 shown, uint barycentrics) {
     return hit;
 }
 
-// As at camera_distance `depth` from the camera, seen from wo; u_lod as in load_shading_point.
-PixelSurface pixel_surface(IN(Hit) hit, vec3 wo, float depth, float u_lod) {
+// Seen from wo, with the cone that arrives from there; u_lod as in load_shading_point.
+PixelSurface surface_in_cone(IN(Hit) hit, vec3 wo, IN(RayCone) cone, float u_lod) {
     PixelSurface at;
     bool diffuse = load_frame().diffuse_shading != 0u;
     LET_REF(MaterialRecord) material = load_material(load_instance(hit.instance).material);
-    RayCone cone = ray_cone_propagate(
-        camera_ray_cone(load_camera(), float(load_realtime().size.y)), depth);
     at.s = load_surface(hit, -wo, cone, surface_needs(material, diffuse));
     at.p = load_shading_point(material, at.s, wo, u_lod, diffuse);
     at.wo = wo;
@@ -48,6 +46,19 @@ PixelSurface pixel_surface(IN(Hit) hit, vec3 wo, float depth, float u_lod) {
     at.inv_specular_albedo = vec3(0.0f);
     at.exists = 1u;
     return at;
+}
+
+// As at camera_distance `depth` from the camera.
+PixelSurface pixel_surface(IN(Hit) hit, vec3 wo, float depth, float u_lod) {
+    RayCone cone = camera_ray_cone(load_camera(), float(load_realtime().size.y));
+    return surface_in_cone(hit, wo, ray_cone_propagate(cone, depth), u_lod);
+}
+
+// What the diffuse lobe has of f |cos_i|, as bsdf_eval gave it, or of a sample's weight, where
+// inv_pdf is one over its density.
+vec3 diffuse_share(IN(PixelSurface) at, vec3 wi_local, vec3 f, float inv_pdf) {
+    return bsdf_is_diffuse(at.p.bsdf)
+               ? f : bsdf_diffuse_part(at.p.bsdf, at.wo_local, wi_local) * inv_pdf;
 }
 
 PixelSurface load_pixel_surface(ivec2 pixel, IN(Sampler) primary_draws, uint mirrors) {

@@ -23,7 +23,9 @@ Ray realtime_camera_ray(ivec2 pixel) {
     LET_REF(RealtimeConstants) r = load_realtime();
     vec2 film = vec2((float(pixel.x) + 0.5f + r.jitter.x) / float(r.size.x),
                      (float(pixel.y) + 0.5f + r.jitter.y) / float(r.size.y));
-    return camera_ray_through_lens(load_camera(), film, vec2(0.0f));
+    Ray ray = camera_ray_through_lens(load_camera(), film, vec2(0.0f));
+    ray.t_max = load_frame().ray_length;
+    return ray;
 }
 
 // The draws of a pixel in frame `frame_index`.
@@ -42,7 +44,8 @@ void store_no_surface(ivec2 pixel, IN(PixelView) seen, vec3 direction, vec3 thro
     store_hit(pixel, uvec2(HIT_NOTHING, 0u));
     store_barycentrics(pixel, 0u);
     store_depth(pixel, DEPTH_NONE);
-    store_normal(pixel, uvec2(towards, towards));
+    store_normal(pixel, towards);
+    store_unmapped_normal(pixel, towards);
     store_material(pixel, pack_material(m));
     store_view(pixel, towards);
     store_throughput(pixel, vec4(throughput, 0.0f));
@@ -94,7 +97,8 @@ void store_surface(ivec2 pixel, IN(PixelView) seen, IN(Hit) hit, IN(Surface) s,
     store_hit(pixel, uvec2(hit.instance, hit.primitive));
     store_barycentrics(pixel, pack_barycentrics(hit.u, hit.v));
     store_depth(pixel, pixels_from_world(load_camera(), at).z);
-    store_normal(pixel, uvec2(octahedral_encode(n), octahedral_encode(smooth_n)));
+    store_normal(pixel, octahedral_encode(n));
+    store_unmapped_normal(pixel, octahedral_encode(smooth_n));
     store_material(pixel, pack_material(m));
     store_view(pixel, octahedral_encode(wo));
     store_throughput(pixel, vec4(throughput, 0.0f));
@@ -166,7 +170,8 @@ void realtime_primary(ivec2 pixel, Ray ray, Hit hit) {
     }
     float coverage = seen.mirrors > 0u ? 1.0f : 0.0f;
     if (path.hit.instance == HIT_NOTHING) {
-        seen.emission += path.throughput * sky_light(path.from, path.ray.direction);
+        seen.emission += path.throughput * sky_light(path.from, path.ray.direction,
+                                                     path.cone.spread, seen.mirrors == 0u);
     } else {
         LET_REF(LightRecord) record = load_light(path.hit.primitive);
         seen.emission += path.throughput * medium_transmittance(path.attenuation, path.hit.t) *

@@ -26,6 +26,10 @@ Reservoir reservoir_empty() {
     return r;
 }
 
+uvec2 reservoir_pack_sample(IN(Reservoir) r) {
+    return uvec2(r.light, floatBitsToUint(r.u.x));
+}
+
 // The weight loses the 12 lowest bits of its mantissa to the count.
 uvec2 reservoir_pack_weight(IN(Reservoir) r) {
     uint weight = (floatBitsToUint(clamp(r.weight, 0.0f, 1.0e30f)) + 2048u) & 0xFFFFF000u;

@@ -36,47 +36,27 @@ struct Neighbourhood {
     vec4 deviation;
     vec4 here;       // weighted by how near they are
     float nearness;  // of the nearest: 1 where it lies on the point
-    vec2 motion;     // in pixels of rays, of what is nearest to the viewer: edges move with it
 };
 
-// How much a sample at a distance of `d` pixels of the picture counts: Blackman-Harris' window in a
-// Gaussian's shape. [Karis 2014, slide "Filtering"]
-float resolve_weight(vec2 d) {
-    return exp(-2.29f * dot(d, d));
+// How much each of three samples along an axis counts, the middle one in pixel `centre`, at a
+// distance of d pixels of the picture: Blackman-Harris' window in a Gaussian's shape.
+// [Karis 2014, slide "Filtering"]
+vec3 resolve_weights(float at, int centre, float jitter, float rays_to_output, int size) {
+    vec3 d = vec3(float(clamp(centre - 1, 0, size - 1)), float(centre),
+                  float(clamp(centre + 1, 0, size - 1)));
+    d = (d + (0.5f + jitter - at)) * rays_to_output;
+    d = d * d * -2.29f;
+    return vec3(exp(d.x), exp(d.y), exp(d.z));
 }
 
-// `at`: in pixels of rays.
-Neighbourhood resolve_neighbourhood(vec2 at, vec2 rays_to_output) {
-    LET_REF(RealtimeConstants) r = load_realtime();
+// `sum`, `squares`: of nine; `here`: weighted by the products of wx and wy.
+Neighbourhood resolve_neighbourhood(vec4 sum, vec4 squares, vec4 here, vec3 wx, vec3 wy) {
     Neighbourhood n;
-    n.mean = vec4(0.0f);
-    n.here = vec4(0.0f);
-    n.nearness = 0.0f;
-    n.motion = vec2(0.0f);
-    vec4 squares = vec4(0.0f);
-    float weights = 0.0f;
-    float nearest = FLOAT_MAX;
-    ivec2 centre = ivec2(int(floor(at.x)), int(floor(at.y)));
-    for (int i = 0; i < 9; ++i) {
-        ivec2 p = clamp(centre + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), r.size - 1);
-        vec4 c = resolve_encoded(load_color(p));
-        n.mean += c;
-        squares += c * c;
-        vec2 sample_at = vec2(float(p.x) + 0.5f, float(p.y) + 0.5f) + r.jitter;
-        float w = resolve_weight((sample_at - at) * rays_to_output);
-        n.here += c * w;
-        weights += w;
-        n.nearness = max(n.nearness, w);
-        float depth = load_depth(p);
-        if (depth < nearest) {
-            nearest = depth;
-            vec4 motion = load_motion(p);
-            n.motion = vec2(motion.x, motion.y);
-        }
-    }
-    n.mean *= 1.0f / 9.0f;
+    n.mean = sum * (1.0f / 9.0f);
     n.deviation = sqrt(max(squares * (1.0f / 9.0f) - n.mean * n.mean, vec4(0.0f)));
-    n.here = weights > 1.0e-8f ? n.here / weights : n.mean;
+    float weights = (wx.x + wx.y + wx.z) * (wy.x + wy.y + wy.z);
+    n.here = weights > 1.0e-8f ? here / weights : n.mean;
+    n.nearness = max(wx.x, max(wx.y, wx.z)) * max(wy.x, max(wy.y, wy.z));
     return n;
 }
 
@@ -106,28 +86,56 @@ vec4 resolve_history(vec2 at) {
     return sum;
 }
 
-void realtime_resolve(ivec2 pixel) {
+// The picture where the samples around are `n` and it was `history`, if it was seen.
+vec4 resolve_mixed(IN(Neighbourhood) n, vec4 history, bool was_seen) {
+    LET_REF(RealtimeConstants) r = load_realtime();
+    vec4 widest = n.deviation * r.resolve_clip;
+    vec4 past = clamp(history, n.mean - widest, n.mean + widest);
+    // A sample far from the point says little about it.
+    float share = was_seen ? max(r.resolve_share * n.nearness, 0.02f) : 1.0f;
+    return resolve_decoded(mix(past, n.here, share));
+}
+
+bool resolve_is_inside(vec2 at, vec2 size) {
+    return at.x > 0.0f && at.y > 0.0f && at.x < size.x && at.y < size.y;
+}
+
+void realtime_resolve(ivec2 pixel, int) {
     LET_REF(RealtimeConstants) r = load_realtime();
     if (r.resolves == 0u) {
         store_output(pixel, load_color(pixel));
         return;
     }
-    vec2 scale = vec2(float(r.output_size.x) / float(r.size.x),
-                      float(r.output_size.y) / float(r.size.y));
-    vec2 at = vec2(float(pixel.x) + 0.5f, float(pixel.y) + 0.5f);
-    Neighbourhood n = resolve_neighbourhood(at / scale, scale);
-    vec2 before = at + n.motion * scale;
-    bool inside = before.x > 0.0f && before.y > 0.0f && before.x < float(r.output_size.x) &&
-                  before.y < float(r.output_size.y);
-    vec4 result = n.here;
-    if (r.has_previous != 0u && inside) {
-        vec4 history = resolve_history(before);
-        vec4 widest = n.deviation * r.resolve_clip;
-        history = clamp(history, n.mean - widest, n.mean + widest);
-        // A sample far from the point says little about it.
-        result = mix(history, n.here, max(r.resolve_share * n.nearness, 0.02f));
+    vec2 scale = vec2(r.output_size) / vec2(r.size);
+    vec2 point = vec2(pixel) + 0.5f;
+    vec2 at = point / scale;  // in pixels of rays
+    ivec2 centre = ivec2(int(floor(at.x)), int(floor(at.y)));
+    vec3 wx = resolve_weights(at.x, centre.x, r.jitter.x, scale.x, r.size.x);
+    vec3 wy = resolve_weights(at.y, centre.y, r.jitter.y, scale.y, r.size.y);
+    vec4 sum = vec4(0.0f);
+    vec4 squares = vec4(0.0f);
+    vec4 here = vec4(0.0f);
+    float nearest = FLOAT_MAX;
+    ivec2 nearest_at = centre;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 p = clamp(centre + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), r.size - 1);
+        vec4 c = resolve_encoded(load_color(p));
+        sum += c;
+        squares += c * c;
+        here += c * (wx[i % 3] * wy[i / 3]);
+        float depth = load_depth(p);
+        if (depth < nearest) {
+            nearest = depth;
+            nearest_at = p;
+        }
     }
-    store_output(pixel, resolve_decoded(result));
+    // Edges move with what is nearest to the viewer.
+    vec4 motion = load_motion(nearest_at);
+    vec2 before = point + vec2(motion.x, motion.y) * scale;
+    bool was_seen = r.has_previous != 0u && resolve_is_inside(before, vec2(r.output_size));
+    vec4 history = was_seen ? resolve_history(before) : vec4(0.0f);
+    Neighbourhood n = resolve_neighbourhood(sum, squares, here, wx, wy);
+    store_output(pixel, resolve_mixed(n, history, was_seen));
 }
 
 #endif

@@ -31,7 +31,7 @@ bool history_belongs(ivec2 at, IN(EdgeTest) s, float allowance) {
     uint material = load_previous_material(at);
     if (((material ^ s.material) & MATERIAL_SURFACE_BITS) != 0u) { return false; }
     if (!(abs(load_previous_depth(at) - s.depth) <= allowance)) { return false; }
-    return dot(octahedral_decode(load_previous_normal(at).y), s.normal) >= c.history_normal;
+    return normal_cosine(s, load_previous_unmapped_normal(at)) >= c.history_normal;
 }
 
 // The mean of the four pixels around `position` that belong to the surface.
@@ -53,9 +53,9 @@ History history_at(vec2 position, IN(EdgeTest) s, float moved) {
                        ((i & 2) != 0 ? part.y : 1.0f - part.y);
         if (weight < 1.0e-3f || !pixel_is_inside(at, c.size)) { continue; }
         if (!history_belongs(at, s, allowance)) { continue; }
-        vec4 frames = load_previous_history_length(at);
-        h.direct += load_previous_direct_history(at) * weight;
-        h.specular += load_previous_specular_history(at) * weight;
+        vec2 frames = load_previous_history_length(at);
+        h.direct += load_direct_history(at) * weight;
+        h.specular += load_specular_history(at) * weight;
         h.direct_frames += frames.x * weight;
         h.specular_frames += frames.y * weight;
         sum += weight;
@@ -94,9 +94,19 @@ struct Neighbours {
     int count;
 };
 
-Neighbours load_neighbours(ivec2 pixel, IN(EdgeTest) s) {
+float neighbour_allowance(float depth, float slope) {
+    return load_realtime().history_depth * depth + 2.0f * slope;
+}
+
+vec2 neighbour_variance(vec2 sum, vec2 squares, int count) {
+    float scale = 1.0f / float(count + 1);
+    vec2 mean = sum * scale;
+    return max(squares * scale - mean * mean, vec2(0.0f));
+}
+
+Neighbours load_neighbours(ivec2 pixel, float depth, float slope) {
     LET_REF(RealtimeConstants) c = load_realtime();
-    float allowance = c.history_depth * s.depth + 2.0f * s.slope;
+    float allowance = neighbour_allowance(depth, slope);
     vec4 own = load_luma(pixel);
     vec2 sum = vec2(own.x, own.z);
     vec2 squares = sum * sum;
@@ -106,7 +116,7 @@ Neighbours load_neighbours(ivec2 pixel, IN(EdgeTest) s) {
     for (int i = 0; i < 9; ++i) {
         ivec2 at = ivec2(pixel.x + i % 3 - 1, pixel.y + i / 3 - 1);
         if (i == 4 || !pixel_is_inside(at, c.size)) { continue; }
-        if (!(abs(load_depth(at) - s.depth) <= allowance)) { continue; }
+        if (!(abs(load_depth(at) - depth) <= allowance)) { continue; }
         vec4 all = load_luma(at);
         vec2 luma = vec2(all.x, all.z);
         n.brightest = max(n.brightest, luma);
@@ -114,12 +124,9 @@ Neighbours load_neighbours(ivec2 pixel, IN(EdgeTest) s) {
         squares += luma * luma;
         n.count += 1;
     }
-    float scale = 1.0f / float(n.count + 1);
-    vec2 mean = sum * scale;
-    n.variance = max(squares * scale - mean * mean, vec2(0.0f));
+    n.variance = neighbour_variance(sum, squares, n.count);
     return n;
 }
-
 
 // `neighbours`: how many pixels `brightest` is of; of one alone nothing can be said.
 Accumulated temporal_channel(IN(NewLight) now, vec4 history, float frames, float limit,
@@ -143,23 +150,20 @@ vec4 load_change(ivec2 block) {
                 min(change.z * c.specular_antilag, 1.0f), 0.0f);
 }
 
-void temporal_filter(ivec2 pixel, int mode) {
+void temporal_pixel(ivec2 pixel, int mode, IN(Neighbours) around) {
     LET_REF(RealtimeConstants) c = load_realtime();
     vec4 direct = finite_or_zero_4(load_direct(pixel));
     vec4 specular = finite_or_zero_4(load_specular(pixel));
-    EdgeTest s;
-    s.material = load_material(pixel);
-    s.depth = load_depth(pixel);
-    if (!pixel_is_lit(s.material, s.depth)) {
-        store_direct_other(pixel, direct);
-        store_specular_other(pixel, specular);
-        store_history_length(pixel, vec4(0.0f));
+    uint material = load_material(pixel);
+    float depth = load_depth(pixel);
+    if (!pixel_is_lit(material, depth)) {
+        store_direct(pixel, direct);
+        store_specular(pixel, specular);
+        store_history_length(pixel, vec2(0.0f));
         return;
     }
     vec4 motion = finite_or_zero_4(load_motion(pixel));
-    s.slope = motion.w;
-    s.normal = octahedral_decode(load_normal(pixel).y);
-    Neighbours around = load_neighbours(pixel, s);
+    EdgeTest s = edge_test(material, depth, motion.w, load_unmapped_normal(pixel));
     History h = no_history();
     if (mode != TEMPORAL_NONE && c.has_previous != 0u &&
         ((s.material >> 16u) & REALTIME_NO_HISTORY) == 0u) {
@@ -184,9 +188,14 @@ void temporal_filter(ivec2 pixel, int mode) {
     now.change = change.z;
     Accumulated r = temporal_channel(now, h.specular, h.specular_frames, limit.y,
                                      around.brightest.y, around.count);
-    store_direct_other(pixel, d.light);
-    store_specular_other(pixel, r.light);
-    store_history_length(pixel, vec4(d.frames, r.frames, 0.0f, 0.0f) * (1.0f / 255.0f));
+    store_direct(pixel, d.light);
+    store_specular(pixel, r.light);
+    store_history_length(pixel, vec2(d.frames, r.frames) * (1.0f / 255.0f));
+}
+
+void temporal_filter(ivec2 pixel, int mode) {
+    float slope = finite_or_zero(load_motion(pixel).w);
+    temporal_pixel(pixel, mode, load_neighbours(pixel, load_depth(pixel), slope));
 }
 
 #endif

@@ -41,8 +41,8 @@ static void unpackHalves(const std::byte* pixels, int count, float (*out)[atrous
 // The images that an iteration reads: as atrous_direct and atrous_specular choose them.
 std::array<RealtimeImage, 2> atrousSources(int iteration) {
     if (iteration == 1) return {RealtimeImage::direct_history, RealtimeImage::specular_history};
-    if (iteration == 2) return {RealtimeImage::direct, RealtimeImage::specular};
-    return {RealtimeImage::direct_other, RealtimeImage::specular_other};
+    if (iteration == 3) return {RealtimeImage::direct_other, RealtimeImage::specular_other};
+    return {RealtimeImage::direct, RealtimeImage::specular};
 }
 
 const std::byte* atrousPixel(RealtimeImage image, int bytes, int x, int y) {
@@ -63,12 +63,12 @@ bool unpackRow(int x0, int y, int iteration, AtrousRow& row) {
     const auto* depth =
         reinterpret_cast<const float*>(atrousPixel(RealtimeImage::depth, 4, begin, y));
     const auto* normal =
-        reinterpret_cast<const uint*>(atrousPixel(RealtimeImage::normal, 8, begin, y));
+        reinterpret_cast<const uint*>(atrousPixel(RealtimeImage::normal, 4, begin, y));
     const auto* material =
         reinterpret_cast<const uint*>(atrousPixel(RealtimeImage::material, 4, begin, y));
     for (int i = 0; i < atrousWidth; ++i) row.surface[i] = 0xFFFFFFFFu;
     for (int i = 0; i < count; ++i) {
-        const vec3 n = octahedral_decode(normal[2 * i]);
+        const vec3 n = octahedral_decode(normal[i]);
         row.normal[0][first + i] = n.x, row.normal[1][first + i] = n.y;
         row.normal[2][first + i] = n.z;
     }
@@ -88,7 +88,7 @@ void beginRun(int x0, int y, int count, int iteration, const AtrousRow& row,
     alignas(64) float slope[atrousRun], frames[2][atrousRun];
     for (int i = 0; i < count; ++i) {
         slope[i] = finite_or_zero(load_motion(ivec2(x0 + i, y)).w);
-        const vec4 n = load_history_length(ivec2(x0 + i, y)) * 255.0f;
+        const vec2 n = load_history_length(ivec2(x0 + i, y)) * 255.0f;
         frames[0][i] = n.x, frames[1][i] = n.y;
     }
     for (int i = 0; i < count; ++i) {

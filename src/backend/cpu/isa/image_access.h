@@ -104,11 +104,17 @@ struct FormatHALF4 {
 // Halves without sign and the lowest bits; so cut, they never become more than they were.
 struct FormatPOSITIVE3 {
     using Value = vec4;
+    // `bits`: an exponent of 5 bits and a mantissa of 18, without sign. By arithmetic of integers
+    // and without a branch, which compilers turn into vectors.
+    static float number(uint bits) {
+        const float normal = std::bit_cast<float>(bits + (112u << 23));
+        const float small = float(bits) * 0x1p-37f;  // below the smallest normal half
+        return bits >= 1u << 23 ? normal : small;
+    }
     static vec4 read(const std::byte* p) {
         const uint u = *reinterpret_cast<const uint*>(p);
-        return vec4(floatFromHalf(uint16_t((u & 0x7FFu) << 4)),
-                    floatFromHalf(uint16_t((u >> 11 & 0x7FFu) << 4)),
-                    floatFromHalf(uint16_t(u >> 22 << 5)), 0.0f);
+        return vec4(number((u & 0x7FFu) << 17), number((u >> 11 & 0x7FFu) << 17),
+                    number(u >> 22 << 18), 0.0f);
     }
     static void write(std::byte* p, vec4 v) {
         const uint x = halfFromFloat(std::max(0.0f, v.x)), y = halfFromFloat(std::max(0.0f, v.y)),
@@ -116,6 +122,29 @@ struct FormatPOSITIVE3 {
         *reinterpret_cast<uint*>(p) = x >> 4 | y >> 4 << 11 | z >> 5 << 22;
     }
     static constexpr size_t bytes = 4;
+};
+
+struct FormatRGB9E5 {
+    using Value = vec3;
+    static vec3 read(const std::byte* p) {
+        return rgb9e5_decode(*reinterpret_cast<const uint*>(p));
+    }
+    static void write(std::byte* p, vec3 v) { *reinterpret_cast<uint*>(p) = rgb9e5_encode(v); }
+    static constexpr size_t bytes = 4;
+};
+
+struct FormatUNORM2 {
+    using Value = vec2;
+    static vec2 read(const std::byte* p) {
+        const uint8_t* u = reinterpret_cast<const uint8_t*>(p);
+        return vec2(float(u[0]), float(u[1])) * (1.0f / 255.0f);
+    }
+    static void write(std::byte* p, vec2 v) {
+        uint8_t* u = reinterpret_cast<uint8_t*>(p);
+        for (int i = 0; i < 2; ++i)
+            u[i] = uint8_t(std::min(std::max(v[i], 0.0f), 1.0f) * 255.0f + 0.5f);
+    }
+    static constexpr size_t bytes = 2;
 };
 
 struct FormatUNORM4 {
@@ -145,7 +174,7 @@ struct ImageAccess {
 
     explicit ImageAccess(const RealtimeViews& views) : images(views) {}
 
-#define X(name, format, size, copies, meaning)                                                   \
+#define X(name, format, size, copies, memory, meaning)                                           \
     Format##format::Value load_##name(ivec2 p) const {                                           \
         return Format##format::read(images.current[size_t(RealtimeImage::name)] +                \
                                     imageOffset<Format##format, RealtimeSize::size>(images, p)); \

@@ -26,7 +26,7 @@ using namespace gp::shared;
 #include "backend/cpu/texture_sampling.h"
 
 // Ray masks: VisibilityBits of scene/scene.h.
-constexpr uint32_t rayCamera = 1, rayBounce = 2, rayShadow = 4;
+constexpr uint32_t rayCamera = 1, rayBounce = 2, rayShadow = 4, raySky = 8;
 
 // As scene/mesh.h lays it out.
 struct PackedVertex {
@@ -107,8 +107,9 @@ struct Kernels {
     }
 
     // Environment.
-    vec3 load_environment(vec2 uv) {
-        const EnvironmentView& e = view.environment;
+    vec3 load_environment(vec2 uv) { return readBilinear(view.environment, uv); }
+    vec3 load_background(vec2 uv) { return readBilinear(view.background, uv); }
+    static vec3 readBilinear(const EnvironmentView& e, vec2 uv) {
         const int w = int(e.width), h = int(e.height);
         const float fx = uv.x * float(w) - 0.5f, fy = uv.y * float(h) - 0.5f;
         const int ix = floorToInt(fx), iy = floorToInt(fy);
@@ -140,6 +141,8 @@ struct Kernels {
     // Rays.
     Hit trace_closest(const Ray& ray);
     float trace_visible(const Ray& ray);
+    Hit trace_sky(const Ray& ray);
+    Hit trace(RTCScene scene, const Ray& ray, uint32_t mask);
     void note_shadow_ray(uint group, float value, float visible) {
         counts.lightSent[group] += value;
         counts.lightArrived[group] += value * visible;
@@ -152,6 +155,7 @@ struct Kernels {
 #include "kernels/environment.glsl"
 #include "kernels/surface.glsl"
 #include "kernels/material.glsl"
+#include "kernels/sky.glsl"
 #include "kernels/light_choice.glsl"
 #include "kernels/path.glsl"
 #include "kernels/primary.glsl"
