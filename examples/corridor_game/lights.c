@@ -45,7 +45,7 @@ static GpLightDesc tubeAt(double seconds) {
     desc.corners = corners, desc.cornerCount = 4;
     desc.twoSided = 1;
     setColor(&desc, 0.75f, 0.9f, 1);
-    desc.intensity = slow > 0.42f ? (fast > 0.38f ? 9 : 1.5f) : 0.35f;
+    desc.intensity = slow > 0.42f ? (fast > 0.38f ? 14 : 2) : 0.5f;
     return desc;
 }
 
@@ -56,7 +56,7 @@ static GpLightDesc alarmAt(double seconds) {
     desc.kind = GP_LIGHT_SPOT;
     desc.radius = 0.05f;
     setColor(&desc, 1, 0.05f, 0.03f);
-    desc.intensity = 14;
+    desc.intensity = 40;
     desc.outerAngle = 0.6f, desc.innerAngle = 0.3f;
     setVector(desc.position, alarmPlace);
     setVector(desc.direction, vec3(-fabsf(cosf(turn)) - 0.2f, -0.35f, sinf(turn)));

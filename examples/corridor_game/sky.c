@@ -1,5 +1,6 @@
-/* The sky twice: as an environment, which lights the level, and as geometry that is drawn where
- * nothing else is, with clouds that move. */
+/* The sky twice: as geometry with clouds that move, drawn where nothing else is, which in real time
+ * also lights the level and lies in its puddles; and below that as an environment that stands
+ * still, for what the geometry leaves open and for modes in which no ray sees what is drawn. */
 #include "game.h"
 
 #include <math.h>

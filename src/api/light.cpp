@@ -143,21 +143,6 @@ GpLight addLight(SceneObject& scene, Light&& light) {
     return handle;
 }
 
-// The last light moves to its place: with 100,000 of them, closing each gap would take seconds.
-void takeOut(SceneObject& scene, const std::shared_ptr<Light>& light) {
-    auto& lights = scene.scene.lights;
-    const auto known = scene.lightPlaces.find(light.get());
-    size_t place = known == scene.lightPlaces.end() ? lights.size() : known->second;
-    if (place >= lights.size() || lights[place] != light)  // a sky or a file came in between
-        place = size_t(std::find(lights.begin(), lights.end(), light) - lights.begin());
-    scene.lightPlaces.erase(light.get());
-    if (place + 1 < lights.size()) {
-        lights[place] = std::move(lights.back());
-        scene.lightPlaces[lights[place].get()] = place;
-    }
-    lights.pop_back();
-}
-
 // Only what its kind has; the rest stays zero.
 GpLightDesc descOf(const Light& light) {
     GpLightDesc desc{};
@@ -192,6 +177,21 @@ GpLightDesc descOf(const Light& light) {
 void checkInScene(const LightObject& object) {
     if (!object.light->inScene)
         fail(GP_ERROR_INVALID_OPERATION, "the light is no longer in its scene");
+}
+
+// The last light moves to its place: with 100,000 of them, closing each gap would take seconds.
+void takeOut(SceneObject& scene, const std::shared_ptr<Light>& light) {
+    auto& lights = scene.scene.lights;
+    const auto known = scene.lightPlaces.find(light.get());
+    size_t place = known == scene.lightPlaces.end() ? lights.size() : known->second;
+    if (place >= lights.size() || lights[place] != light)  // a sky or a file came in between
+        place = size_t(std::find(lights.begin(), lights.end(), light) - lights.begin());
+    scene.lightPlaces.erase(light.get());
+    if (place + 1 < lights.size()) {
+        lights[place] = std::move(lights.back());
+        scene.lightPlaces[lights[place].get()] = place;
+    }
+    lights.pop_back();
 }
 
 }  // namespace
