@@ -486,6 +486,7 @@ typedef struct GpLightDesc {
 GP_API GpLight gpNewLight(GpScene scene, const GpLightDesc* desc);
 /* Everything of the light anew; the id stays. */
 GP_API GpError gpSetLight(GpLight light, const GpLightDesc* desc);
+/* The last light of the scene takes its place among them. */
 GP_API GpError gpRemoveLight(GpLight light);
 GP_API GpError gpReleaseLight(GpLight light);
 /* Light `index` of the scene, from 0, whoever added it: a call, a file or gpSetSky, in the order of

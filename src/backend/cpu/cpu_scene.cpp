@@ -132,8 +132,7 @@ void CpuScene::fillInstances(const Scene& scene) {
     constexpr size_t many = 4096;
     size_t shapes = 0;
     for (const auto& table : lightOfPrimitive_) shapes += table.size();
-    rtcSetSceneBuildQuality(top_.get(), built_ && shapes > many ? RTC_BUILD_QUALITY_LOW
-                                                                : RTC_BUILD_QUALITY_MEDIUM);
+    if (built_ && shapes > many) rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_LOW);
     rtcCommitScene(top_.get());
     if (sky_) rtcCommitScene(sky_.get());
 }
