@@ -93,6 +93,7 @@ class RealtimeUnbiased : public ::testing::TestWithParam<Variant> {};
 struct Reuse {
     GpLightReuse light = GP_REUSE_NONE, indirect = GP_REUSE_NONE;
     float step = 0;                          // metres that the camera moves aside each frame
+    float rayLength = 0;
     void (*scene)(Stage&, bool) = build;     // second: with mirrors
 };
 
@@ -109,6 +110,7 @@ void expectReference(const Variant& variant, bool withMirrors, int bounces,
     for (uint32_t i = 0; i < effort(40); ++i) {
         GpRenderOptions o = a.options(8);
         o.seed = 1000 + i, o.maxBounces = bounces, o.pixelFilter = GP_PIXEL_BOX;
+        o.rayLength = reuse.rayLength;
         a.check(gpRender(still, a.scene, &view, &o));
         expected.add(a.read<glm::vec4>(still, GP_IMAGE_COLOR, width * height));
     }
@@ -117,7 +119,7 @@ void expectReference(const Variant& variant, bool withMirrors, int bounces,
     const uint32_t chain = reuse.light == GP_REUSE_NONE && reuse.indirect == GP_REUSE_NONE ? 1 : 5;
     for (uint32_t i = 0; i < effort(320) * (chain > 1 ? 3u : 1u); ++i) {
         GpRenderOptions o = b.options(0);
-        o.seed = i, o.maxBounces = bounces;
+        o.seed = i, o.maxBounces = bounces, o.rayLength = reuse.rayLength;
         o.realtime.antiAliasing = GP_AA_JITTER;
         o.realtime.denoiser = GP_DENOISER_NONE;
         o.realtime.lightReuse = reuse.light, o.realtime.indirectReuse = reuse.indirect;
@@ -175,10 +177,11 @@ TEST_P(RealtimeUnbiased, WithIndirectReuseAndBounces) {
                     {.light = GP_REUSE_UNBIASED, .indirect = GP_REUSE_UNBIASED});
 }
 
-// Light of surfaces alone, from a moving camera: corners, edges and what comes into view.
+// Light of surfaces alone, from a moving camera: corners, edges, what comes into view, and finds
+// that other pixels' rays are too short for.
 TEST_P(RealtimeUnbiased, WithIndirectReuseInABoxFromAMovingCamera) {
     expectReference(GetParam(), false, 1,
-                    {.indirect = GP_REUSE_UNBIASED, .step = 0.1f,
+                    {.indirect = GP_REUSE_UNBIASED, .step = 0.1f, .rayLength = 5.5f,
                      .scene = [](Stage& stage, bool) { buildBox(stage); }});
 }
 

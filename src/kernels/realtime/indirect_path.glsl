@@ -32,7 +32,7 @@ struct IndirectSegment {
     vec3 wi;
     vec3 wi_local;
     float distance;
-    uint exists;      // 0: the surface does not reflect what comes from there
+    uint exists;      // 0: too far for a bounce ray, or the surface does not reflect what comes
 };
 
 IndirectSegment indirect_segment(IN(PixelSurface) at, vec3 there) {
@@ -43,7 +43,8 @@ IndirectSegment indirect_segment(IN(PixelSurface) at, vec3 there) {
     way.wi_local = local_from_world(at.p.frame, way.wi);
     // Not through the surface: what lies behind it may absorb.
     bool reflected = (way.wi_local.z > 0.0f) == (at.wo_local.z > 0.0f);
-    way.exists = way.distance > 0.0f && reflected &&
+    bool reached = way.distance > 0.0f && way.distance < load_frame().ray_length;
+    way.exists = reached && reflected &&
                  sides_agree(at.s, at.wo, way.wi, at.wo_local, way.wi_local) ? 1u : 0u;
     return way;
 }
