@@ -23,6 +23,7 @@ constexpr User users[] = {
     {"bmfr_", "", "bmfr"},
     {"", "_history_frames", "asvgf"},
     {"", "_antilag", "asvgf"},
+    {"antilag_", "", "asvgf"},
     {"filter_luminance", "", "asvgf", "svgf"},  // one frame alone knows no deviation
 };
 

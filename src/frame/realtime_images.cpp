@@ -22,18 +22,20 @@ constexpr Layer whileBlocksAreFiltered[] = {
     Layer::gradient_scale, Layer::gradient_other,       Layer::gradient_scale_other,
     Layer::indirect_low,   Layer::indirect_low_chroma,  Layer::indirect_other,
     Layer::indirect_other_chroma};
-constexpr Layer whilePixelsAreFiltered[] = {Layer::direct_other, Layer::specular_other};
+constexpr Layer whileDirectIsFiltered[] = {Layer::direct_other};
+constexpr Layer whileSpecularIsFiltered[] = {Layer::specular_other};
 constexpr Layer afterAtrous[] = {Layer::indirect, Layer::indirect_chroma};
 constexpr Layer afterDenoising[] = {Layer::color};
 constexpr Home homes[] = {
     // The last pass writes it.
     {Layer::output, Layer::output, false, beforeLighting},
+    {Layer::output, Layer::output, false, whileDirectIsFiltered},
     // Lighting is the last to ask what was hit.
     {Layer::hit, Layer::barycentrics, true, whileBlocksAreFiltered},
     {Layer::hit, Layer::barycentrics, true, afterDenoising},
-    // The temporal pass is the last to ask what was there.
-    {Layer::depth, Layer::luma, true, whilePixelsAreFiltered},
-    {Layer::depth, Layer::luma, true, afterAtrous},
+    // The temporal pass is the last to ask what was there; only for depth asks the last pass.
+    {Layer::unmapped_normal, Layer::luma, true, whileSpecularIsFiltered},
+    {Layer::unmapped_normal, Layer::history_length, true, afterAtrous},
 };
 
 constexpr size_t aligned(size_t bytes) { return (bytes + 63) & ~size_t(63); }

@@ -269,6 +269,37 @@ TEST(DenoiseRobustness, ThePictureIsThatOfThePlainKernel) {
     }
 }
 
+// A thing before a noisy wall goes away: the picture there is that of one frame, without a ghost.
+TEST(DenoiseRobustness, ThePictureForgetsWhatCoveredIt) {
+    for (const bool plain : {true, false}) {
+        DenoiseScene s(ivec2(30, 12)), fresh(ivec2(30, 12));
+        for (DenoiseScene* scene : {&s, &fresh}) {
+            scene->constants.resolves = 1, scene->plain = plain;
+            for (uint frame = 0; frame < 2; ++frame) {
+                scene->forEach([&](ivec2 p) {
+                    const bool covered = frame == 0 && p.x < 15;
+                    const float wall = noise(p, frame, 0);
+                    scene->images.store_color(p, vec4(vec3(covered ? 0.5f : wall), 1));
+                    scene->images.store_depth(p, covered ? 1.0f : 4.0f);
+                    scene->images.store_motion(p, vec4(0));
+                });
+                scene->run(resolvePass);
+                if (frame == 0) scene->next();
+                fresh.constants.has_previous = 0;
+            }
+        }
+        int mixed = 0;
+        s.forEach([&](ivec2 p) {
+            const vec4 now = s.images.load_output(p), alone = fresh.images.load_output(p);
+            if (p.x < 14) {
+                ASSERT_EQ(now, alone) << p.x << " " << plain;
+            }
+            mixed += now != alone;
+        });
+        EXPECT_GT(mixed, 12 * 12);
+    }
+}
+
 TEST(DenoiseRobustness, NamesGoBothWays) {
     for (size_t i = 0; i < denoiserCount; ++i)
         EXPECT_EQ(denoiserFromName(denoiserName(Denoiser(i))), Denoiser(i));

@@ -2,8 +2,8 @@
 // upscaling where there are fewer rays than pixels.
 // Based on: Karis 2014, "High-Quality Temporal Supersampling"; Salvi 2016, "An Excursion in
 // Temporal Supersampling" (variance clipping).
-// Resources: load_color, load_depth, load_motion, load_previous_output, store_output,
-// load_realtime.
+// Resources: load_color, load_depth, load_previous_depth, load_motion, load_previous_output,
+// store_output, load_realtime.
 #ifndef GP_KERNELS_REALTIME_RESOLVE_GLSL
 #define GP_KERNELS_REALTIME_RESOLVE_GLSL
 #include "shading/colour.glsl"
@@ -96,6 +96,22 @@ vec4 resolve_mixed(IN(Neighbourhood) n, vec4 history, bool was_seen) {
     return resolve_decoded(mix(past, n.here, share));
 }
 
+// How much nearer than it should be whatever covered a point in the last frame is, relatively.
+#define RESOLVE_COVERED 0.1f
+
+// Whether the last frame saw what has come from `at` (in pixels of rays) and was `depth` away then.
+// Clipping to the neighbourhood alone leaves ghosts of what moved before a bright or noisy surface.
+bool resolve_was_open(vec2 at, float depth) {
+    LET_REF(RealtimeConstants) r = load_realtime();
+    ivec2 corner = ivec2(int(floor(at.x - 0.5f)), int(floor(at.y - 0.5f)));
+    float least = depth * (1.0f - RESOLVE_COVERED);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 p = clamp(corner + ivec2(i & 1, i >> 1), ivec2(0), r.size - 1);
+        if (load_previous_depth(p) >= least) { return true; }
+    }
+    return false;
+}
+
 bool resolve_is_inside(vec2 at, vec2 size) {
     return at.x > 0.0f && at.y > 0.0f && at.x < size.x && at.y < size.y;
 }
@@ -132,7 +148,8 @@ void realtime_resolve(ivec2 pixel, int) {
     // Edges move with what is nearest to the viewer.
     vec4 motion = load_motion(nearest_at);
     vec2 before = point + vec2(motion.x, motion.y) * scale;
-    bool was_seen = r.has_previous != 0u && resolve_is_inside(before, vec2(r.output_size));
+    bool was_seen = r.has_previous != 0u && resolve_is_inside(before, vec2(r.output_size)) &&
+                    resolve_was_open(before / scale, nearest + motion.z);
     vec4 history = was_seen ? resolve_history(before) : vec4(0.0f);
     Neighbourhood n = resolve_neighbourhood(sum, squares, here, wx, wy);
     store_output(pixel, resolve_mixed(n, history, was_seen));

@@ -81,7 +81,8 @@ void findHistory(int x0, int y, int count, vec2 scale, ResolveRunState& run) {
         const vec4 motion =
             load_motion(clamp(centre + ivec2(tap % 3 - 1, tap / 3 - 1), ivec2(0), last));
         const vec2 before = point + vec2(motion.x, motion.y) * scale;
-        run.wasSeen[i] = constants.has_previous != 0 && resolve_is_inside(before, size);
+        run.wasSeen[i] = constants.has_previous != 0 && resolve_is_inside(before, size) &&
+                         resolve_was_open(before / scale, run.nearest[i] + motion.z);
         const vec2 from = run.wasSeen[i] ? before - 0.5f : vec2(0);
         const vec2 corner = floor(from);
         const vec4 wx = catmull_rom_weights(from.x - corner.x);
