@@ -246,8 +246,9 @@ TEST_F(ViewRealtimeTest, LightsOfTheSceneAreChangedAddedAndRemoved) {
     const double two = with([this](auto& all) {
         all.push_back(newSceneLight(GP_LIGHT_SPOT, m_choices.camera, 4));
         setLightField(all.back(), "cone", "60");
+        setLightField(all.back(), "intensity", "400");
     });
-    EXPECT_GT(two, asLoaded + 5);
+    EXPECT_GT(two, asLoaded + 15);
     tool::check(m_device.get(), gpGetSceneInfo(m_scene.get(), &info));
     EXPECT_EQ(info.lights, count + 1);
 }
