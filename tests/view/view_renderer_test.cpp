@@ -1,56 +1,25 @@
 // The rendering thread, with a real scene and without a window.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
-#include "library.h"
-#include "tool/tool_runner.h"
 #include "view/image_view.h"
-#include "view/view_renderer.h"
+#include "view/rendering_thread.h"
 
 namespace gp::test {
 namespace {
 
 using namespace tool::view;
 
-constexpr RenderSize kSize{96, 64};
-
-class ViewRendererTest : public ::testing::Test {
+class ViewRendererTest : public RenderingThread {
 protected:
     void SetUp() override {
-        GpDeviceDesc desc{};
-        desc.threads = 2;
-        m_device = tool::newDevice(desc);
-        m_scene = tool::newScene(m_device.get());
-        tool::check(m_device.get(),
-                    gpLoadSceneFile(m_scene.get(), cornellPath().c_str(), nullptr));
-        tool::check(m_device.get(),
-                    gpGetSceneCamera(m_scene.get(), 0, &m_choices.camera, nullptr));
-        m_choices.size = kSize;
-        m_choices.autoExposure = false;
+        RenderingThread::SetUp();
         m_choices.mostSamples = 8;
         m_choices.live = LiveMode::traced;
         m_choices.reference = true;
-        m_renderer.emplace(
-            ViewedScene{m_device.get(), m_scene.get(), [this] { ++m_restored; }}, [] {});
     }
 
-    // The first picture of the present choices for which `isIt` holds; fails after a minute.
-    template <class Test>
-    ShownPicture waitFor(const Test& isIt) {
-        for (int i = 0; i < 12000; ++i) {
-            const std::uint64_t serial = m_renderer->show(m_choices);
-            std::optional<ShownPicture> picture = m_renderer->take();
-            if (picture && picture->serial == serial && isIt(*picture)) {
-                return std::move(*picture);
-            }
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        ADD_FAILURE() << "no such picture came";
-        return {};
-    }
     ShownPicture finished() {
         return waitFor([this](const ShownPicture& p) {
             return p.atRest && p.statistics.samplesPerPixel >= m_choices.mostSamples;
@@ -59,12 +28,6 @@ protected:
     ShownPicture live() {
         return waitFor([](const ShownPicture& p) { return !p.atRest; });
     }
-
-    tool::Device m_device;
-    tool::Scene m_scene;
-    ViewChoices m_choices;
-    int m_restored = 0;
-    std::optional<ViewRenderer> m_renderer;
 };
 
 double mean(const ShownPicture& picture) {

@@ -99,7 +99,7 @@ vec4 resolve_mixed(IN(Neighbourhood) n, vec4 history, bool was_seen) {
 // How much nearer than it should be whatever covered a point in the last frame is, relatively.
 #define RESOLVE_COVERED 0.1f
 
-// Whether the last frame saw what has come from `at` (in pixels of rays) and was `depth` away then.
+// Whether the last frame saw what has come from `at`, counted in rays, and was `depth` away then.
 // Clipping to the neighbourhood alone leaves ghosts of what moved before a bright or noisy surface.
 bool resolve_was_open(vec2 at, float depth) {
     LET_REF(RealtimeConstants) r = load_realtime();
