@@ -58,6 +58,8 @@
 #include "shading/microfacet/smith_quadrature.glsl"
 #include "shading/microfacet/facet_sampling.glsl"
 #include "shading/microfacet/mirror_albedo.glsl"
+#include "shading/slope/slopes.glsl"
+#include "shading/slope/sheared_cavity.glsl"
 #include "shading/bsdf/bsdf.glsl"
 #include "shading/bsdf/blend.glsl"
 #include "shading/bsdf/diffuse_part.glsl"
