@@ -68,7 +68,7 @@ TEST_P(LocalHighlight, FlatSurfacesStayAsTheyAre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LocalHighlight, ::testing::ValuesIn(localVariants()),
-                         [](const auto& info) { return variantName(info.param); });
+                         [](const auto& made) { return variantName(made.param); });
 
 }  // namespace
 }  // namespace gp::test
