@@ -41,8 +41,9 @@ struct PublishedDictionary {
 double publishedP22(const PublishedDictionary& dictionary, const Slopes& d, float logDensity,
                     int level, vec2 uv, vec2 s) {
     const float cells = std::exp2(float(15 - level));
-    const Ellipse e = ellipse_of(glint_footprint(vec2(1.0f / cells, 0.0f), vec2(0.0f, 1.0f / cells)),
-                                 uv, cells);
+    const float cell = 1.0f / cells;
+    const GlintFootprint footprint = glint_footprint(vec2(cell, 0.0f), vec2(0.0f, cell));
+    const Ellipse e = ellipse_of(footprint, uv, cells);
     const Whitening w = whitening_of(d);
     const vec2 white = whitened(w, s - d.mean);
     const float facets = (logDensity / std::log(2.0f)) * 0.5f + float(level - 15);
