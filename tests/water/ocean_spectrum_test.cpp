@@ -144,8 +144,8 @@ TEST(OceanSpectrum, DirectionsIntegrateToOne) {
                     const double angle = 2.0 * M_PI * ((i + 0.5) / n - 0.5);
                     sum += double(ocean_spread_density(spread, float(angle))) * 2.0 * M_PI / n;
                 }
-                // The scale of a product is a quadrature of 32 nodes, which feels that some of these
-                // densities have a corner upwind.
+                // The scale of a product is a quadrature of 32 nodes, which feels that some of
+                // these densities have a corner upwind.
                 const double tolerance = spreading != 0u && swell > 0.0f ? 1e-3 : 1e-4;
                 EXPECT_NEAR(sum, 1.0, tolerance) << spreading << " " << swell << " " << ratio;
             }
