@@ -30,7 +30,7 @@ Slopes read_slope_map(uint map, vec2 uv, vec2 d0, vec2 d1) {
     // Far outside, float coordinates lose the texel: two whole repeats change nothing, and they
     // keep NaN out of integers.
     vec2 first = size.repeats != 0u ? uv - 2.0f * floor(0.5f * uv) : uv;
-    first = slope_bounded2(first, 1.0e3f) - probes.step * (0.5f * float(probes.count - 1));
+    first = footprint_bounded2(first, 1.0e3f) - probes.step * (0.5f * float(probes.count - 1));
     Slopes all = slopes_constant(vec2(0.0f));
     for (int i = 0; i < probes.count; ++i) {
         vec2 at = first + probes.step * float(i);

@@ -8,6 +8,7 @@
 // mixed, so the results are the same numbers.
 #ifndef GP_SHADING_SLOPE_LEAN_GLSL
 #define GP_SHADING_SLOPE_LEAN_GLSL
+#include "shading/slope/footprint.glsl"
 #include "shading/slope/slopes.glsl"
 
 // Steeper slopes of a map (86 degrees) are cut: one broken texel must not widen a whole level.
@@ -97,15 +98,6 @@ Slopes slope_texel_decode(IN(SlopeTexel) t) {
     return s;
 }
 
-// Within +-limit; 0 where there is no number.
-float slope_bounded(float x, float limit) {
-    return x >= -limit ? min(x, limit) : x < -limit ? -limit : 0.0f;
-}
-
-vec2 slope_bounded2(vec2 v, float limit) {
-    return vec2(slope_bounded(v.x, limit), slope_bounded(v.y, limit));
-}
-
 // How a footprint is read: `count` probes at uv + (i - (count - 1) / 2) step, at this level of
 // detail (0: the image itself).
 struct SlopeProbes {
@@ -118,30 +110,14 @@ struct SlopeProbes {
 // ellipse of both; its short axis chooses the level, probes go along the long one.
 // [McCormack et al. 1999, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 3.1]
 SlopeProbes slope_probes(vec2 d0, vec2 d1, vec2 size) {
-    vec2 a = slope_bounded2(d0 * size, 1.0e6f);
-    vec2 b = slope_bounded2(d1 * size, 1.0e6f);
-    // The principal axes of a a^T + b b^T.
-    float xx = a.x * a.x + b.x * b.x;
-    float yy = a.y * a.y + b.y * b.y;
-    float xy = a.x * a.y + b.x * b.y;
-    float half_sum = 0.5f * (xx + yy);
-    float half_difference = 0.5f * (xx - yy);
-    float radius = sqrt(half_difference * half_difference + xy * xy);
-    float major = sqrt(max(half_sum + radius, 1.0e-30f));
-    // The product of the axes is the determinant, which does not cancel.
-    float minor = abs(a.x * b.y - a.y * b.x) / major;
-    // Of the two ways to write the direction, the one that does not cancel.
-    vec2 axis = half_difference >= 0.0f ? vec2(half_difference + radius, xy)
-                                        : vec2(xy, radius - half_difference);
-    float l = length(axis);
-    axis = l > 0.0f ? axis / l : vec2(1.0f, 0.0f);
+    FootprintEllipse e = footprint_ellipse(d0 * size, d1 * size);
     // Nothing is finer than a texel.
-    float across = max(max(minor, major / SLOPE_PROBES), 1.0f);
-    float count = clamp(ceil(major / across - 1.0e-3f), 1.0f, SLOPE_PROBES);
+    float across = max(max(e.minor, e.major / SLOPE_PROBES), 1.0f);
+    float count = clamp(ceil(e.major / across - 1.0e-3f), 1.0f, SLOPE_PROBES);
     SlopeProbes p;
     p.count = int(count);
     p.level = log2(across);
-    p.step = axis * (major / count) / size;
+    p.step = e.axis * (e.major / count) / size;
     return p;
 }
 
