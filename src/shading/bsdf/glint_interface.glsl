@@ -5,6 +5,7 @@
 #include "shading/fresnel.glsl"
 #include "shading/glint/counting.glsl"
 #include "shading/glint/glint.glsl"
+#include "shading/glint/zirr.glsl"
 #include "shading/slope/sheared_cavity.glsl"
 #include "shading/slope/smith_slopes.glsl"
 #include "shading/slope/tilted_cavity.glsl"
@@ -14,6 +15,7 @@
 #define GLINT_SMOOTH 0u      // the Gaussian: LEADR
 #define GLINT_DICTIONARY 1u
 #define GLINT_COUNTING 2u
+#define GLINT_ZIRR 3u
 
 #define GLINT_MASKING_V_CAVITY 0u
 #define GLINT_MASKING_SMITH 1u
@@ -50,7 +52,8 @@ Glint glint_of(IN(BsdfParams) m) {
     return g;
 }
 
-// Density of slopes, and the one by which they are drawn: counting has no sampling of its own.
+// Density of slopes, and the one by which they are drawn: only the dictionary has a sampling of its
+// own, the others' facets are met by chance.
 struct GlintDensity {
     float value;
     float drawn;
@@ -60,8 +63,9 @@ GlintDensity glint_density(uint method, IN(Glint) g, vec2 s) {
     GlintDensity d;
     d.drawn = method == GLINT_DICTIONARY ? glint_p22(g, s) : slopes_p22(g.slopes, s);
     d.value = d.drawn;
-    if (method == GLINT_COUNTING) {
-        d.value = d.drawn > 0.0f ? glint_counting_p22(g, s) : 0.0f;
+    if (method == GLINT_COUNTING || method == GLINT_ZIRR) {
+        float facets = method == GLINT_COUNTING ? glint_counting_p22(g, s) : glint_zirr_p22(g, s);
+        d.value = d.drawn > 0.0f ? facets : 0.0f;
     }
     return d;
 }
