@@ -24,6 +24,15 @@ Slopes glint_slopes(IN(BsdfParams) m) {
     return d;
 }
 
+BsdfParams glint_with_slopes(BsdfParams m, IN(Slopes) d) {
+    m.alpha_x = sqrt(2.0f * d.var_x);
+    m.alpha_y = sqrt(2.0f * d.var_y);
+    m.slot_a.x = d.mean.x;
+    m.slot_a.y = d.mean.y;
+    m.slot_a.z = d.cov * inversesqrt(max(d.var_x * d.var_y, 1.0e-30f));
+    return m;
+}
+
 Glint glint_of(IN(BsdfParams) m) {
     Glint g;
     g.slopes = glint_slopes(m);
