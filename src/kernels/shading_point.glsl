@@ -24,8 +24,8 @@ vec2 slot_position(IN(TextureSlot) slot, IN(Surface) s) {
                 slot.row_v.x * uv.x + slot.row_v.y * uv.y + slot.row_v.z);
 }
 
-vec2 slot_change(IN(TextureSlot) slot, float u, float v) {
-    return vec2(slot.row_u.x * u + slot.row_u.y * v, slot.row_v.x * u + slot.row_v.y * v);
+vec2 slot_change(IN(TextureSlot) slot, vec2 d) {
+    return vec2(slot.row_u.x * d.x + slot.row_u.y * d.y, slot.row_v.x * d.x + slot.row_v.y * d.y);
 }
 
 // u_lod in [0, 1) chooses between the two nearest levels of detail: one look-up, linear on average.

@@ -32,6 +32,7 @@ struct Hit {
 #define MATERIAL_LAYERED 64u     // any of specular textures, coat, sheen, transmission, iridescence
 #define MATERIAL_LIBRARY 2048u   // a model of the library, not the glTF one: MaterialRecord::bsdf
 #define MATERIAL_PREPARE 4096u   // … whose parameters are prepared at each point: they vary
+#define MATERIAL_GLINT 8192u     // … which is MODEL_GLINT: it is told the pixel's footprint
 
 // Bits of MaterialRecord::textures: which slots hold a texture.
 #define SLOT_BASE_COLOR 1u
@@ -275,6 +276,7 @@ struct LocalLightingConstants {
     uint lamps;               // the first lights of the table: all but emissive triangles
     uint replaces_materials;  // 1: one model is the reflectance of all surfaces
     uint parallel_view;       // 1: an orthographic camera
+    uint ndf_filter;          // NDF_FILTER_ of shading/slope/ndf_filtering.glsl
 };
 
 #endif

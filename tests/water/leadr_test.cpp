@@ -32,7 +32,14 @@ struct PointKernels {
     const BsdfLayerRecord& load_bsdf_layer(uint) { return noLayer; }
     const TextureLayerRecord& load_texture_layer(uint) { return noTextureLayer; }
     const InstanceRecord& load_instance(uint) { return noInstance; }
-    TriangleCorners load_triangle(uint, uint) { return {}; }
+    // Texture coordinates are x and y.
+    TriangleCorners load_triangle(uint, uint) {
+        TriangleCorners c{};
+        c.p1 = vec3(1, 0, 0), c.p2 = vec3(0, 1, 0);
+        c.uv1 = vec2(1, 0), c.uv2 = vec2(0, 1);
+        c.normal0 = c.normal1 = c.normal2 = octahedral_encode(vec3(0, 0, 1));
+        return c;
+    }
     vec2 load_uv1(uint, uint, float, float) { return vec2(0); }
     vec4 load_vertex_color(uint, uint, float, float) { return vec4(1); }
     vec4 sample_texture(uint, vec2, float, float) { return vec4(0.5f, 0.5f, 1, 1); }
@@ -75,20 +82,25 @@ struct Bumpy : testing::Test {
         BsdfParams metal = bsdf_params_of(MODEL_GLINT);
         metal.metallic = 1, metal.base_color = vec3(1);
         metal.alpha_x = metal.alpha_y = 0.12f;
+        metal.slot_b.x = float(GLINT_SMOOTH);
+        for (int i = 0; i < 3; ++i)
+            kernels.noInstance.world_from_object[i][i] = 1,
+            kernels.noInstance.normal_from_object[i][i] = 1;
         kernels.bsdfs.push_back(bsdf_prepared(metal));
-        material.flags = MATERIAL_LIBRARY, material.model = MODEL_GLINT;
+        material.flags = MATERIAL_LIBRARY | MATERIAL_GLINT, material.model = MODEL_GLINT;
         material.textures = SLOT_NORMAL, material.normal_scale = 1;
         material.normal_slot.row_u = {1, 0, 0, 0}, material.normal_slot.row_v = {0, 1, 0, 0};
         surface.ng = vec3(0, 0, 1), surface.front = 1, surface.color = vec4(1);
         surface.frame = frame_from_normal_tangent(vec3(0, 0, 1), vec3(1, 0, 0), 1);
     }
 
-    PointKernels::ShadingPoint point(vec2 uv, float lod, vec3 wo) {
-        surface.uv0 = uv, surface.lod = lod;
+    // width: of the pixel, metres, in parallel light.
+    PointKernels::ShadingPoint point(vec2 uv, float width, vec3 wo) {
+        surface.uv0 = uv, surface.cone.width = width;
         return kernels.library_point(material, surface, wo, vec3(1), vec3(0), 0.5f);
     }
-    float reflected(vec2 uv, float lod, vec3 wo, vec3 wi) {
-        const PointKernels::ShadingPoint p = point(uv, lod, wo);
+    float reflected(vec2 uv, float width, vec3 wo, vec3 wi) {
+        const PointKernels::ShadingPoint p = point(uv, width, wo);
         return bsdf_eval(p.bsdf, local_from_world(p.frame, wo), local_from_world(p.frame, wi))
             .f_cos.x;
     }
@@ -115,11 +127,11 @@ TEST_F(Bumpy, TheFarViewIsTheMeanOfTheNearOnes) {
             const int n = 64;
             for (int y = 0; y < n; ++y)
                 for (int x = 0; x < n; ++x)
-                    near += double(reflected((vec2(x, y) + 0.5f) / float(n), -12, view.wo, wi));
+                    near += double(reflected((vec2(x, y) + 0.5f) / float(n), 1e-4f, view.wo, wi));
             near /= n * n;
-            const float far = reflected(vec2(0.3f, 0.6f), 0, view.wo, wi);
+            const float far = reflected(vec2(0.3f, 0.6f), 1, view.wo, wi);
             // What no map would show, or one whose normals are averaged.
-            const float plain = reflected(vec2(0.3f, 0.6f), -12, view.wo, wi);
+            const float plain = reflected(vec2(0.3f, 0.6f), 1e-4f, view.wo, wi);
             EXPECT_NEAR(far / near, 1, view.tolerance) << s.x << ' ' << s.y;
             EXPECT_GT(std::abs(plain / near - 1), 0.1) << s.x << ' ' << s.y;
         }
@@ -127,13 +139,13 @@ TEST_F(Bumpy, TheFarViewIsTheMeanOfTheNearOnes) {
 
 TEST_F(Bumpy, ATransformOfCoordinatesAndAScaleOfNormalsReachTheSlopes) {
     // Four repeats a unit: a quarter of the footprint sees all of the map.
-    const Slopes whole = glint_slopes(point(vec2(0.3f), 0, vec3(0, 0, 1)).bsdf);
+    const Slopes whole = glint_material_slopes(point(vec2(0.3f), 1, vec3(0, 0, 1)).bsdf);
     material.normal_slot.row_u.x = material.normal_slot.row_v.y = 4;
-    const Slopes quarter = glint_slopes(point(vec2(0.3f), -2, vec3(0, 0, 1)).bsdf);
+    const Slopes quarter = glint_material_slopes(point(vec2(0.3f), 0.25f, vec3(0, 0, 1)).bsdf);
     EXPECT_NEAR(quarter.mean.x, whole.mean.x, 1e-4f);
     EXPECT_NEAR(quarter.var_x, whole.var_x, 1e-3f * whole.var_x);
     material.normal_scale = 0.5f;
-    const Slopes half = glint_slopes(point(vec2(0.3f), -2, vec3(0, 0, 1)).bsdf);
+    const Slopes half = glint_material_slopes(point(vec2(0.3f), 0.25f, vec3(0, 0, 1)).bsdf);
     const float own = 0.5f * 0.12f * 0.12f;
     EXPECT_NEAR(half.mean.x, 0.5f * whole.mean.x, 1e-4f);
     EXPECT_NEAR(half.var_x - own, 0.25f * (whole.var_x - own), 1e-5f);
@@ -143,16 +155,16 @@ TEST_F(Bumpy, ATransformOfCoordinatesAndAScaleOfNormalsReachTheSlopes) {
 TEST_F(Bumpy, NeitherATurnedTangentNorTheBackMovesTheSurface) {
     const vec3 wo = normalize(vec3(0.2f, -0.3f, 1)), wi = normalize(vec3(-0.1f, 0.5f, 1));
     const vec2 uv(0.37f, 0.81f);
-    for (const float lod : {-12.0f, -3.0f, 0.0f}) {
-        const float straight = reflected(uv, lod, wo, wi);
-        const vec3 n = normal(point(uv, lod, wo));
+    for (const float width : {1e-4f, 0.125f, 1.0f}) {
+        const float straight = reflected(uv, width, wo, wi);
+        const vec3 n = normal(point(uv, width, wo));
         material.anisotropy_rotation = 0.7f;
-        EXPECT_NEAR(reflected(uv, lod, wo, wi), straight, 2e-3f * straight) << lod;
+        EXPECT_NEAR(reflected(uv, width, wo, wi), straight, 2e-3f * straight) << width;
         // Seen from below: the same surface, hence the other side's normal.
         surface.front = 0, surface.ng = vec3(0, 0, 1);
-        const vec3 down = normal(point(uv, lod, -wo));
-        EXPECT_NEAR(dot(down, n), -1, 1e-4f) << lod;
-        EXPECT_NEAR(reflected(uv, lod, -wo, -wi), straight, 2e-3f * straight) << lod;
+        const vec3 down = normal(point(uv, width, -wo));
+        EXPECT_NEAR(dot(down, n), -1, 1e-4f) << width;
+        EXPECT_NEAR(reflected(uv, width, -wo, -wi), straight, 2e-3f * straight) << width;
         surface.front = 1, material.anisotropy_rotation = 0;
     }
 }
@@ -163,7 +175,7 @@ TEST_F(Bumpy, ASurfaceThatTurnsAwayStaysInSight) {
     for (int i = 0; i < 2000; ++i) {
         const vec3 wo = normalize(
             vec3(random.uniform() * 8 - 4, random.uniform() * 8 - 4, random.uniform() + 1e-3f));
-        const auto p = point(vec2(random.uniform(), random.uniform()), -12, wo);
+        const auto p = point(vec2(random.uniform(), random.uniform()), 1e-4f, wo);
         EXPECT_GT(slope_facing(glint_mean(p.bsdf), local_from_world(p.frame, wo)), 0.0f);
     }
 }
