@@ -25,7 +25,7 @@ struct Moments {
 // Over places of the surface, at slopes `radius` standard deviations from the mean.
 Moments momentsAt(Glint g, float radius, int count) {
     Random random(11);
-    const Slopes d = glint_slopes(g);
+    const Slopes d = glint_slopes_within(g);
     const Whitening w = whitening_of(d);
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < count; ++i) {
