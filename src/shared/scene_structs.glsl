@@ -31,7 +31,11 @@ struct Hit {
 #define MATERIAL_NEEDS_UV 512u   // vertex colours or tangents, although no texture is there
 #define MATERIAL_LAYERED 64u     // any of specular textures, coat, sheen, transmission, iridescence
 #define MATERIAL_LIBRARY 2048u   // a model of the library, not the glTF one: MaterialRecord::bsdf
+#define MATERIAL_SEA 65536u      // … with the waves of the scene's sea: kernels/ocean_surface.glsl
 #define MATERIAL_PREPARE 4096u   // … whose parameters are prepared at each point: they vary
+
+// Light from behind the triangle counts: it shines through, or on slopes that the triangle lacks.
+#define MATERIAL_LIT_FROM_BELOW (MATERIAL_TRANSMISSIVE | MATERIAL_SEA)
 
 // Bits of MaterialRecord::textures: which slots hold a texture.
 #define SLOT_BASE_COLOR 1u

@@ -129,6 +129,8 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colore
     r.attenuation = prepared.thin != 0u ? glm::vec3(0)
         : shading::medium_absorption(m.attenuationColor, m.attenuationDistance);
     if (masked) r.flags |= MATERIAL_NEEDS_UV;
+    if (m.sea != SeaWater::none) r.flags |= MATERIAL_SEA | MATERIAL_NEEDS_UV;
+    if (m.sea == SeaWater::deep) r.flags &= ~MATERIAL_SOLID;
     r.anisotropy = 1;  // any model may ask for tangents
 }
 

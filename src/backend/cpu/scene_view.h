@@ -67,6 +67,10 @@ struct SceneView {
     glm::vec3 environmentMean;                // radiance over the sphere
     float environmentCos, environmentSin;     // of its rotation
     float environmentPower;                   // luminance of the irradiance, W/m^2
+    // Slopes over the footprint (rest, d0, d1), from a gp::Sea; mean x and y, variances, covariance
+    // and foam. Null: there is no sea.
+    const void* sea;
+    void (*seaSlopes)(const void* sea, const glm::vec2 (&footprint)[3], float (&slopes)[6]);
     EnvironmentView background;               // the scene's own, as rays without weights see it
     glm::vec3 backgroundColor;
 };

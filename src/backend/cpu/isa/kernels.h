@@ -152,6 +152,10 @@ struct Kernels {
     uint32_t nextAlphaSeed() { return pathSeed = hash_u32(pathSeed + 0x9E3779B9u); }
     void record(uint32_t kind, const Ray& ray) const;
 
+    // The sea. The one call out of the hot code: its tables are read in one place, by Ocean.
+    struct SeaSlopes;
+    SeaSlopes sample_sea(vec2 rest, vec2 d0, vec2 d1);
+
 #include "kernels/environment.glsl"
 #include "kernels/surface.glsl"
 #include "kernels/material.glsl"
@@ -161,6 +165,16 @@ struct Kernels {
 #include "kernels/primary.glsl"
 #include "kernels/tonemap.glsl"
 };
+
+inline Kernels::SeaSlopes Kernels::sample_sea(vec2 rest, vec2 d0, vec2 d1) {
+    float values[6];
+    view.seaSlopes(view.sea, {rest, d0, d1}, values);
+    SeaSlopes s;
+    s.slopes.mean = vec2(values[0], values[1]);
+    s.slopes.var_x = values[2], s.slopes.var_y = values[3], s.slopes.cov = values[4];
+    s.foam = values[5];
+    return s;
+}
 
 using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
