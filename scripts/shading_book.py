@@ -26,6 +26,7 @@ GROUPS = [
     ("Disney's models", ["disney", "disney_bsdf"]),
     ("Beyond one bounce and beyond ray optics",
      ["kulla_conty", "iridescent_mirror", "grating", "holzschuch_pacanowski"]),
+    ("Below a pixel", ["glint"]),
     ("Measured", ["measured"]),
 ]
 

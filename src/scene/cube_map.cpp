@@ -5,33 +5,16 @@
 
 #include <tbb/parallel_for.h>
 
+#include "scene/texel_decoder.h"
 #include "shading/shading.h"
 
 namespace gp {
 namespace {
 
-struct ByteDecoder {
-    float values[256];
-    explicit ByteDecoder(ColorSpace space) {
-        for (int i = 0; i < 256; ++i) {
-            const float v = float(i) / 255;
-            values[i] = space == ColorSpace::srgb ? shading::srgb_decode_1(v) : v;
-        }
-    }
-};
-
 void decodeFace(const Texture& texture, glm::vec3* texels) {
-    const size_t count = size_t(texture.levels[0].width) * texture.levels[0].height;
-    if (texture.format == PixelFormat::rgba32f) {
-        const auto* p = reinterpret_cast<const float*>(texture.pixels.data());
-        for (size_t i = 0; i < count; ++i) texels[i] = {p[4 * i], p[4 * i + 1], p[4 * i + 2]};
-        return;
-    }
-    const ByteDecoder decoder(texture.colorSpace);
-    const auto* p = reinterpret_cast<const uint8_t*>(texture.pixels.data());
-    for (size_t i = 0; i < count; ++i)
-        texels[i] = {decoder.values[p[4 * i]], decoder.values[p[4 * i + 1]],
-                     decoder.values[p[4 * i + 2]]};
+    const MipLevel& face = texture.levels[0];
+    const TexelDecoder decoder(texture);
+    for (size_t i = 0; i < size_t(face.width) * face.height; ++i) texels[i] = decoder.at(face, i);
 }
 
 class CubeReader {

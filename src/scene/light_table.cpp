@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "scene/light_tree.h"
+#include "scene/texel_decoder.h"
 #include "shading/shading.h"
 
 namespace gp {
@@ -19,24 +20,14 @@ constexpr float pi = 3.14159265f;
 
 struct TexelSums {
     const Texture& texture;
-    float decode[256];  // of one 8-bit channel
+    TexelDecoder decoder;
 
-    explicit TexelSums(const Texture& t) : texture(t) {
-        for (int i = 0; i < 256; ++i)
-            decode[i] = t.colorSpace == ColorSpace::srgb
-                ? shading::srgb_decode(glm::vec3(float(i) / 255)).x : float(i) / 255;
-    }
+    explicit TexelSums(const Texture& t) : texture(t), decoder(t) {}
 
     glm::vec3 texel(const MipLevel& level, int x, int y) const {
         const int w = int(level.width), h = int(level.height);
         x = ((x % w) + w) % w, y = ((y % h) + h) % h;  // clamped wraps differ only at the border
-        const size_t i = size_t(y) * level.width + size_t(x);
-        if (texture.format == PixelFormat::rgba8) {
-            const auto* p = reinterpret_cast<const uint8_t*>(&texture.pixels[level.offset]) + 4 * i;
-            return {decode[p[0]], decode[p[1]], decode[p[2]]};
-        }
-        const auto* p = reinterpret_cast<const float*>(&texture.pixels[level.offset]) + 4 * i;
-        return {p[0], p[1], p[2]};
+        return decoder.at(level, size_t(y) * level.width + size_t(x));
     }
 
     // Mean over the box that holds the triangle, one texel wider, on the level where that box is at

@@ -36,30 +36,6 @@ const Tables& tables() {
     return instance;
 }
 
-// The share of up to three source texels in one smaller texel along one axis, in 1/(2n + 1).
-struct Taps {
-    uint32_t first = 0, count = 1;
-    float weight[3] = {1, 0, 0};
-};
-
-Taps tapsAt(uint32_t i, uint32_t from, uint32_t to) {
-    Taps t;
-    if (from == 1) return t;
-    t.first = i * 2;
-    if (from % 2 == 0) {
-        t.count = 2;
-        t.weight[0] = t.weight[1] = 0.5f;
-        return t;
-    }
-    // [Guthe, Heckbert 2005, "Non-Power-of-Two Mipmapping", polyphase box filter]
-    t.count = 3;
-    const float unit = 1.0f / float(from);
-    t.weight[0] = float(to - i) * unit;
-    t.weight[1] = float(to) * unit;
-    t.weight[2] = float(i + 1) * unit;
-    return t;
-}
-
 struct Step {
     const std::byte* from;
     std::byte* to;
@@ -108,10 +84,10 @@ void store8(uint8_t* p, glm::vec4 v, bool srgb) {
 
 // Any sizes, any format.
 void filterRow(const Step& s, uint32_t y, PixelFormat format, bool srgb) {
-    const Taps ty = tapsAt(y, s.source.height, s.target.height);
+    const BoxTaps ty = boxTaps(y, s.source.height, s.target.height);
     const size_t texel = bytesPerPixel(format);
     for (uint32_t x = s.begin; x < s.end; ++x) {
-        const Taps tx = tapsAt(x, s.source.width, s.target.width);
+        const BoxTaps tx = boxTaps(x, s.source.width, s.target.width);
         glm::vec4 sum(0);
         for (uint32_t j = 0; j < ty.count; ++j)
             for (uint32_t i = 0; i < tx.count; ++i) {
@@ -138,6 +114,24 @@ float linearFromSrgb(float v) {
 // [IEC 61966-2-1:1999, 5.2]
 float srgbFromLinear(float v) {
     return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
+}
+
+BoxTaps boxTaps(uint32_t i, uint32_t from, uint32_t to) {
+    BoxTaps t;
+    if (from == 1) return t;
+    t.first = i * 2;
+    if (from % 2 == 0) {
+        t.count = 2;
+        t.weight[0] = t.weight[1] = 0.5f;
+        return t;
+    }
+    // [Guthe, Heckbert 2005, "Non-Power-of-Two Mipmapping", polyphase box filter]
+    t.count = 3;
+    const float unit = 1.0f / float(from);
+    t.weight[0] = float(to - i) * unit;
+    t.weight[1] = float(to) * unit;
+    t.weight[2] = float(i + 1) * unit;
+    return t;
 }
 
 std::vector<MipLevel> mipLayout(uint32_t width, uint32_t height, PixelFormat format,

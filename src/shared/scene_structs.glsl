@@ -55,6 +55,14 @@ struct Hit {
 #define SLOT_IRIDESCENCE_THICKNESS 16384u
 #define SLOT_LAYERS 32768u       // not a slot: TextureLayerRecords from first_texture_layer on
 
+// An image of slope moments (kernels/slope_map.glsl).
+struct SlopeMapSize {
+    uint width;      // of level 0
+    uint height;
+    uint levels;
+    uint repeats;    // 1: along both axes, mirrored or not; else clamped along one at least
+};
+
 struct TextureSlot {
     vec4 row_u;      // u' = x u + y v + z
     vec4 row_v;

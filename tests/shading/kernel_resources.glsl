@@ -4,6 +4,7 @@
 #include "shared/scene_structs.glsl"
 #include "shading/bsdf/params.glsl"
 #include "shading/camera.glsl"
+#include "shading/slope/lean.glsl"
 
 layout(std430, binding = 0) readonly buffer FrameBuffer { FrameConstants frame_constants; };
 layout(std430, binding = 1) readonly buffer InstanceBuffer { InstanceRecord instances[]; };
@@ -30,6 +31,8 @@ layout(binding = 10) uniform sampler2D environment_image;
 layout(binding = 11) uniform sampler2DArray textures;
 layout(binding = 16) uniform sampler2D background_image;
 layout(std430, binding = 17) readonly buffer SkyBuffer { uint sky_triangles; };
+layout(std430, binding = 18) readonly buffer SlopeMapBuffer { SlopeMapSize slope_maps[]; };
+layout(std430, binding = 19) readonly buffer SlopeBuffer { SlopeTexel slope_texels[]; };
 
 FrameConstants load_frame() { return frame_constants; }
 LocalLightingConstants load_local_lighting() { return local_lighting_constants; }
@@ -63,6 +66,21 @@ vec4 load_vertex_color(uint geometry, uint primitive, float u, float v) {
 
 vec4 sample_texture(uint index, vec2 uv, float lod, float u_lod) {
     return textureLod(textures, vec3(uv, float(index)), floor(lod + u_lod));
+}
+
+// One map, its levels behind each other.
+SlopeMapSize load_slope_map(uint i) { return slope_maps[i]; }
+Slopes load_slopes(uint map, int level, int x, int y) {
+    int w = int(slope_maps[map].width);
+    int h = int(slope_maps[map].height);
+    int first = 0;
+    for (int i = 0; i < level; ++i) {
+        first += w * h;
+        w = max(w / 2, 1);
+        h = max(h / 2, 1);
+    }
+    return slope_texel_decode(
+        slope_texels[first + wrapped_texel(y, h, 0u) * w + wrapped_texel(x, w, 0u)]);
 }
 
 vec3 load_environment(vec2 uv) { return vec3(textureLod(environment_image, uv, 0.0f)); }

@@ -46,12 +46,26 @@ struct BsdfCase {
     bool white = true;   // energy is tested with a base_color of 1
     bool solid = false;  // wo below the surface is inside of another medium
     bool transmits() const {
-        return (flags & BSDF_TRANSMISSIVE) != 0u
-            && (params.model != MODEL_GLTF || params.transmission > 0.0f);
+        const bool maybe = params.model == MODEL_GLTF || params.model == MODEL_GLINT;
+        return (flags & BSDF_TRANSMISSIVE) != 0u && (!maybe || params.transmission > 0.0f);
+    }
+    bool isTilted() const {
+        return params.model == MODEL_GLINT && glint_mean(params) != vec2(0.0f);
+    }
+    // Signed cosine of w with the plane that has an inside and an outside, per horizontal area.
+    float sideOf(vec3 w) const {
+        return isTilted() ? slope_facing(glint_mean(params), w) : w.z;
+    }
+    // Planes at which a density can jump, beside the horizon: that of a coat, of the mean slope.
+    std::vector<dvec3> edges() const {
+        std::vector<dvec3> normals;
+        if (params.coat > 0.0f) normals.push_back(dvec3(params.coat_normal));
+        if (isTilted()) normals.push_back(normalize(dvec3(mesosurface_normal(glint_mean(params)))));
+        return normals;
     }
     // The medium's index on the side of w.
     float iorAt(vec3 w) const {
-        return solid && w.z < 0.0f ? relative_ior(params.ior, 1.0f) : 1.0f;
+        return solid && sideOf(w) < 0.0f ? relative_ior(params.ior, 1.0f) : 1.0f;
     }
 };
 
@@ -93,7 +107,8 @@ public:
         // Where the model does not conserve energy as such, the case does with its own colors.
         c.white = (row.flags & BSDF_CONSERVING) != 0u;
         c.params = bsdfParamsFrom(settings);
-        c.solid = row.number == MODEL_DISNEY_BSDF && c.params.thin == 0u;
+        c.solid = (row.number == MODEL_DISNEY_BSDF || row.number == MODEL_GLINT)
+               && c.params.thin == 0u;
         cases_.push_back(c);
         return cases_.back();
     }
@@ -219,10 +234,11 @@ inline BsdfSample drawSample(const BsdfParams& m, vec3 wo, Random& random) {
     return bsdf_sample(m, wo, lobe, vec2(x, random.uniform()));
 }
 
-// The hemispheres to be tested: the side of the view and, if light goes through, the other.
+// The hemispheres to be tested: the side of the view and, if light goes through or one side of the
+// surface reaches into both, the other.
 inline std::vector<int> hemispheresOf(const BsdfCase& c, vec3 wo) {
     const int side = wo.z > 0.0f ? 1 : -1;
-    return c.transmits() ? std::vector<int>{side, -side} : std::vector<int>{side};
+    return c.transmits() || c.isTilted() ? std::vector<int>{side, -side} : std::vector<int>{side};
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ OUT_OF_LINE bool bsdf_library_is_specular(BsdfParams m) {
 
 // Whether bsdf_prepared changes anything that bsdf_eval reads.
 bool bsdf_needs_preparation(uint model) {
-    return model == MODEL_MICROFACET || model == MODEL_KULLA_CONTY;
+    return model == MODEL_MICROFACET || model == MODEL_KULLA_CONTY || model == MODEL_GLINT;
 }
 
 // Parameters with what a model derives from them: once when they are set, before everything below.
@@ -80,6 +80,9 @@ BsdfParams bsdf_prepared(BsdfParams m) {
     }
     if (m.model == MODEL_KULLA_CONTY) {
         return kulla_conty_prepared(m);
+    }
+    if (m.model == MODEL_GLINT) {
+        return glint_prepared(m);
     }
     // What integrators and guides read of every model: the width of its lobe, the medium behind it.
     if (m.model == MODEL_DISNEY || m.model == MODEL_DISNEY_BSDF) {

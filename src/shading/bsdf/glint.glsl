@@ -1,0 +1,229 @@
+// A surface whose facets can be counted: metal, dielectric over a matte base, or clear body, with
+// slopes about any mean. Frame: that of the geometry; which side of the surface a direction is on
+// is the side of the mesosurface, the plane of the mean slope (slope_facing).
+//
+// A share `transmission` of the surface is clear, with the exact Fresnel term; the rest is as in
+// glTF's material: Schlick's term, and below it a matte base that gets what this lets through. Each
+// keeps its energy.
+// The point that is seen (uv, footprint, kernel) stands in slots that a renderer fills; as
+// parameters they show one cell's facets in plots.
+#ifndef GP_SHADING_BSDF_GLINT_GLSL
+#define GP_SHADING_BSDF_GLINT_GLSL
+#include "shading/frame.glsl"
+#include "shading/microfacet/mirror_albedo.glsl"
+#include "shading/sampling/hash.glsl"
+#include "shading/sampling/sobol.glsl"
+#include "shading/sampling/warps.glsl"
+#include "shading/bsdf/gltf.glsl"
+#include "shading/bsdf/glint_interface.glsl"
+#include "shading/bsdf/params.glsl"
+
+// Of sampling: facets must be met even where they reflect nearly nothing.
+#define GLINT_MOST_DIFFUSE 0.98f
+
+// What the facets, seen under a cosine, let through to the matte base: what they do not reflect.
+// Without preparation (bsdf_prepared) nothing is reflected.
+float glint_through(IN(BsdfParams) m, float cos_w) {
+    Chebyshev reflected;
+    reflected.low = m.slot_g;
+    reflected.middle = m.slot_h;
+    reflected.high = m.slot_i;
+    return clamp(1.0f - chebyshev_value(reflected, sqrt(cos_w)), 0.0f, 1.0f);
+}
+
+// With the albedo of the dielectric facets, by which the base is coupled to them: twelve values of
+// a polynomial in the root of the cosine, which Schlick's term is where facets are smooth.
+BsdfParams glint_prepared(BsdfParams m) {
+    Chebyshev reflected = chebyshev_none();
+    m.slot_j.x = 1.0f;
+    if (gltf_has_diffuse(m)) {
+        Distribution d;
+        d.kind = DISTRIBUTION_BECKMANN;
+        d.alpha_x = mean_alpha(m);
+        d.alpha_y = d.alpha_x;
+        d.shape = 2.0f;
+        d.fit.low = vec4(0.0f);  // of Smith's masking, which V-cavities do without
+        d.fit.high = vec4(0.0f);
+        float f0 = f0_from_ior(m.ior);
+        for (int k = 0; k < 12; ++k) {
+            float root = chebyshev_node(k, 12);
+            GgxAlbedo e = mirror_albedo(d, MASKING_V_CAVITY, root * root);
+            float value = ggx_albedo_fresnel(e, f0, 1.0f);
+            reflected = chebyshev_with_node(reflected, value, k, 12);
+        }
+    }
+    m.slot_g = reflected.low;
+    m.slot_h = reflected.middle;
+    m.slot_i = reflected.high;
+    float sum = 0.0f;
+    for (int i = 0; i < 64; ++i) {
+        float x = (float(i) + 0.5f) / 64.0f;
+        sum += x * x * x * glint_through(m, x * x);
+    }
+    m.slot_j.x = sum / 16.0f;
+    return m;
+}
+
+// What depends on the view alone: turned to the front, with what the matte base needs.
+struct GlintView {
+    Glint g;
+    vec3 o;
+    bool turned;
+    float eta;      // behind the surface over the view's side
+    bool has_base;  // which is not seen from inside of a solid body
+    float through;
+    float p_base;   // of sampling it
+};
+
+bool glint_is_black(IN(BsdfParams) m, vec3 wo) {
+    float facing = slope_facing(glint_mean(m), wo);
+    return facing == 0.0f || (facing < 0.0f && gltf_transmissive_share(m) <= 0.0f);
+}
+
+// The base is chosen by its part of what returns, about.
+float glint_base_probability(IN(BsdfParams) m, float through) {
+    float facets = mix(1.0f - through, max_component(m.base_color), m.metallic);
+    float clear = gltf_transmissive_share(m) * max_component(m.base_color) * through;
+    float base = max_component(gltf_diffuse_color(m)) * through;
+    return min(base / max(base + clear + facets, 1.0e-6f), GLINT_MOST_DIFFUSE);
+}
+
+GlintView glint_view(IN(BsdfParams) m, vec3 wo) {
+    GlintView view;
+    view.g = glint_of(m);
+    view.turned = slope_facing(view.g.slopes.mean, wo) < 0.0f;
+    view.o = view.turned ? glint_turned(m, wo) : wo;
+    bool inside = view.turned && m.thin == 0u;
+    view.eta = relative_ior(m.ior, inside ? -1.0f : 1.0f);
+    view.has_base = !inside && gltf_has_diffuse(m);
+    view.through = 0.0f;
+    view.p_base = 0.0f;
+    if (view.has_base) {
+        view.through = glint_through(m, mesosurface_cosine(view.g.slopes.mean, view.o));
+        view.p_base = glint_base_probability(m, view.through);
+    }
+    return view;
+}
+
+BsdfValue glint_base_eval(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
+    float cos_i = mesosurface_cosine(view.g.slopes.mean, i);
+    float through_i = glint_through(m, cos_i);
+    BsdfValue v;
+    v.f_cos = coupled_diffuse(gltf_diffuse_color(m), vec3(view.through), vec3(through_i),
+                              vec3(m.slot_j.x)) * cos_i;
+    v.pdf = cos_i * INV_PI;
+    return v;
+}
+
+BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
+    bool front = slope_facing(view.g.slopes.mean, i) > 0.0f;
+    if (!front && gltf_transmissive_share(m) <= 0.0f) {
+        return bsdf_no_value();
+    }
+    GlintLobe lobe;
+    if (front) {
+        lobe = glint_reflection(view.g, view.o, i);
+    } else if (m.thin != 0u) {
+        lobe = glint_reflection(view.g, view.o, mesosurface_mirrored(view.g.slopes.mean, i));
+    } else {
+        lobe = glint_refraction(view.g, view.o, i, view.eta);
+    }
+    bool refracts = !front && m.thin == 0u;
+    float cos_t = refracts ? lobe.cos_t : glint_cos_behind(m, lobe.cos_h, view.eta);
+    GltfFresnel f = glint_fresnel(m, lobe.cos_h, cos_t, view.eta);
+    float p = gltf_reflection_probability(f);
+    BsdfValue v;
+    v.f_cos = (front ? f.reflected : f.transmitted) * lobe.f_cos;
+    v.pdf = (front ? p : 1.0f - p) * lobe.pdf * (1.0f - view.p_base);
+    if (front && view.has_base) {
+        BsdfValue base = glint_base_eval(m, view, i);
+        v.f_cos += base.f_cos;
+        v.pdf += view.p_base * base.pdf;
+    }
+    return v;
+}
+
+BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
+    if (glint_is_black(m, wo) || slope_facing(glint_mean(m), wi) == 0.0f) {
+        return bsdf_no_value();
+    }
+    GlintView view = glint_view(m, wo);
+    return glint_eval_view(m, view, view.turned ? glint_turned(m, wi) : wi);
+}
+
+bool glint_bsdf_is_specular(IN(BsdfParams) m) {
+    Slopes d = glint_slopes(m);
+    return !gltf_has_diffuse(m) && alpha_is_specular(sqrt(2.0f * d.var_x), sqrt(2.0f * d.var_y));
+}
+
+// A direction by a facet that the view sees; the zero vector where it sends light to the wrong
+// side, from where it would be reflected again.
+vec3 glint_sample_facet(IN(BsdfParams) m, IN(GlintView) view, float u_lobe, vec2 u) {
+    vec2 mean = view.g.slopes.mean;
+    // Cell and side of the cavity are chosen by what no other choice looks at.
+    uvec3 bits = hash_u32x3(
+        uvec3(floatBitsToUint(u_lobe), floatBitsToUint(u.x), floatBitsToUint(u.y)));
+    vec2 s = glint_sample(view.g, u, unit_float(bits.x));
+    s = sheared_cavity_visible(mean, s, view.o, unit_float(bits.y));
+    vec3 wm = facet_of(s);
+    float cos_h = dot(view.o, wm);
+    vec3 i = reflect(-view.o, wm);
+    if (gltf_transmissive_share(m) <= 0.0f) {
+        return slope_facing(mean, i) > 0.0f ? i : vec3(0.0f);
+    }
+    GltfFresnel f = glint_fresnel(m, cos_h, fresnel_g(cos_h, view.eta) / view.eta, view.eta);
+    if (u_lobe < gltf_reflection_probability(f)) {
+        return slope_facing(mean, i) > 0.0f ? i : vec3(0.0f);
+    }
+    if (m.thin != 0u) {
+        return slope_facing(mean, i) > 0.0f ? mesosurface_mirrored(mean, i) : vec3(0.0f);
+    }
+    i = refracted(view.o, wm, view.eta, fresnel_g(cos_h, view.eta));
+    return slope_facing(mean, i) < 0.0f ? i : vec3(0.0f);
+}
+
+BsdfSample glint_bsdf_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
+    if (glint_is_black(m, wo)) {
+        return bsdf_no_sample();
+    }
+    GlintView view = glint_view(m, wo);
+    vec2 mean = view.g.slopes.mean;
+    float p_facets = 1.0f - view.p_base;
+    uint lobe = glint_bsdf_is_specular(m) ? LOBE_SPECULAR : LOBE_GLOSSY;
+    vec3 i;
+    if (u_lobe < p_facets) {
+        i = glint_sample_facet(m, view, u_lobe / p_facets, u);
+        lobe |= slope_facing(mean, i) < 0.0f ? LOBE_TRANSMISSION : 0u;
+    } else {
+        vec3 n = normalize(mesosurface_normal(mean));
+        i = world_from_local(frame_from_normal(n), square_to_cosine_hemisphere(u));
+        lobe = LOBE_DIFFUSE;
+    }
+    if (slope_facing(mean, i) == 0.0f) {
+        return bsdf_no_sample();
+    }
+    BsdfValue v = glint_eval_view(m, view, i);
+    return bsdf_sample_of(view.turned ? glint_turned(m, i) : i, v, lobe);
+}
+
+// As if the surface were smooth, but for its matte base and what one scattering loses of metals.
+vec3 glint_bsdf_albedo(IN(BsdfParams) m, float cos_o) {
+    if (cos_o == 0.0f || (cos_o < 0.0f && gltf_transmissive_share(m) <= 0.0f)) {
+        return vec3(0.0f);
+    }
+    if (cos_o < 0.0f && m.thin == 0u) {
+        float eta = relative_ior(m.ior, cos_o);
+        GltfFresnel f = glint_fresnel(m, -cos_o, fresnel_g(-cos_o, eta) / eta, eta);
+        return f.reflected + f.transmitted;
+    }
+    float c = abs(cos_o);
+    float kept = 1.0f - 0.34f * mean_alpha(m);
+    vec3 metal = kept * fresnel_schlick(m.base_color, vec3(1.0f), c);
+    float through = glint_through(m, c);
+    vec3 opaque = vec3(1.0f - through) + m.base_color * through;
+    float f = fresnel_dielectric(c, relative_ior(m.ior, 1.0f));
+    vec3 clear = vec3(f) + m.base_color * (1.0f - f);
+    return mix(mix(opaque, clear, m.transmission), metal, m.metallic);
+}
+
+#endif

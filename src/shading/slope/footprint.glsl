@@ -1,0 +1,41 @@
+// The footprint of a pixel on a surface, from the changes of a position along the pixel's two axes.
+#ifndef GP_SHADING_SLOPE_FOOTPRINT_GLSL
+#define GP_SHADING_SLOPE_FOOTPRINT_GLSL
+
+// The ellipse of a a^T + b b^T, which is the same for every pair of axes of one pixel.
+struct FootprintEllipse {
+    vec2 axis;    // of the long one, unit length
+    float major;  // lengths, those of a and b where they are at right angles
+    float minor;
+};
+
+// Within +-limit; 0 where there is no number.
+float footprint_bounded(float x, float limit) {
+    return x >= -limit ? min(x, limit) : x < -limit ? -limit : 0.0f;
+}
+
+vec2 footprint_bounded2(vec2 v, float limit) {
+    return vec2(footprint_bounded(v.x, limit), footprint_bounded(v.y, limit));
+}
+
+// Any input: what is not finite counts as nothing, and nothing is longer than 1e9.
+FootprintEllipse footprint_ellipse(vec2 change_0, vec2 change_1) {
+    vec2 a = footprint_bounded2(change_0, 1.0e9f);
+    vec2 b = footprint_bounded2(change_1, 1.0e9f);
+    float xy = a.x * a.y + b.x * b.y;
+    float half_sum = 0.5f * (a.x * a.x + b.x * b.x + a.y * a.y + b.y * b.y);
+    float half_difference = 0.5f * (a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y);
+    float radius = sqrt(half_difference * half_difference + xy * xy);
+    FootprintEllipse e;
+    e.major = sqrt(half_sum + radius);
+    // The product of the axes is the determinant, which does not cancel.
+    e.minor = e.major > 0.0f ? min(abs(a.x * b.y - a.y * b.x) / e.major, e.major) : 0.0f;
+    // Of the two ways to write the direction, the one that does not cancel.
+    vec2 axis = half_difference >= 0.0f ? vec2(half_difference + radius, xy)
+                                        : vec2(xy, radius - half_difference);
+    float l = length(axis);
+    e.axis = l > 0.0f ? axis / l : vec2(1.0f, 0.0f);
+    return e;
+}
+
+#endif
