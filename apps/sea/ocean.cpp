@@ -20,8 +20,8 @@ namespace gp::tool {
 namespace {
 
 constexpr const char* kNotes =
-    "The camera stands at x = z = 0. The exposure `auto` follows the rule of `glitterpath render`,\n"
-    "for a moving picture from its first frame. Ctrl-C saves what there is.\n\n"
+    "The camera stands at x = z = 0. The exposure `auto` follows the rule of `glitterpath\n"
+    "render`, for a moving picture from its first frame. Ctrl-C saves what there is.\n\n"
     "Examples:\n"
     "  glitterpath ocean -o sea.png\n"
     "  glitterpath ocean --wind 6 --sun 0,3 --camera-height 12 --samples 256 -o sunset.png\n"
@@ -49,6 +49,9 @@ SceneSetup setUpSea(GpDevice device, const OceanSettings& s) {
     setup.scene = newScene(device);
     check(device, gpSetOcean(setup.scene.get(), &s.sea));
     check(device, gpSetOceanTime(setup.scene.get(), s.timeSeconds));
+    if (!s.mapFolder.empty()) {
+        check(device, gpSaveOceanMaps(setup.scene.get(), s.mapFolder.c_str()));
+    }
     addLight(device, s.picture.render, setup);
     return setup;
 }

@@ -55,6 +55,8 @@ void addSeaOptions(CLI::App& app, OceanSettings& s) {
                  0, 1, sea.swell);
     addSeaNumber(app, "--choppiness", "0..2", "How sharp crests are (default 1)", 0, 2,
                  sea.choppiness, 1, &sea.given, GP_GIVEN_CHOPPINESS);
+    addSeaNumber(app, "--foam", "0..1", "Share of the foam that breaking waves make (default 1)",
+                 0, 1, sea.foam, 1, &sea.given, GP_GIVEN_FOAM);
     addWord(app, "--sea-seed", "N", "Another number is another sea of the same weather (default 0)",
             [&sea](const std::string& word) {
                 sea.seed = static_cast<std::uint32_t>(
@@ -75,6 +77,13 @@ void addSeaOptions(CLI::App& app, OceanSettings& s) {
             [&s](const std::string& word) {
                 s.timeSeconds = parseNumber("--time", word, -1e5, 1e5);
             })->group("Sea");
+}
+
+void addMapOption(CLI::App& app, OceanSettings& s) {
+    addWord(app, "--maps", "FOLDER",
+            "Write the maps of the waves too, at --time: displacement, normal, foam and moments of "
+            "slopes of each cascade, as EXR",
+            [&s](const std::string& word) { s.mapFolder = word; })->group("Sea");
 }
 
 SunSettings parseSun(const std::string& word) {
@@ -158,6 +167,7 @@ void addOceanOptions(CLI::App& app, OceanSettings& s) {
             "video: .mp4, .mkv, .webm",
             [&r](const std::string& word) { r.outputPath = word; })->required();
     addSeaOptions(app, s);
+    addMapOption(app, s);
     addViewOptions(app, s);
     addSkyOptions(app, r);
     addMovingOptions(app, s);

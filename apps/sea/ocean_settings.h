@@ -15,6 +15,7 @@ struct OceanSettings {
 
     GpOceanDesc sea{};
     double timeSeconds = 0;
+    std::string mapFolder;             // --maps; empty: none
 
     // the camera
     double cameraHeight = 3;           // metres above the water at rest

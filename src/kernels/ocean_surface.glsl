@@ -7,12 +7,6 @@
 #include "kernels/library_material.glsl"
 #include "shading/slope/slopes.glsl"
 
-// What Ocean::slopes says of a footprint, with the waves too short for its grids.
-struct SeaSlopes {
-    Slopes slopes;
-    float foam;   // share of the footprint that is covered
-};
-
 // Of fresh foam. [Koepke 1984, "Effective reflectance of oceanic whitecaps", Applied Optics 23(11)]
 #define FOAM_ALBEDO 0.55f
 // The mean slope shows at least so much of itself to the viewer: floats end not far below.
@@ -57,7 +51,7 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     p.flags = m.flags;
     vec3 wo_local = local_from_world(p.frame, wo);
     SeaSlopes sea = sea_slopes_seen(s, wo_local);
-    vec2 mean = seen_slope(sea.slopes.mean, wo_local, s.front != 0u ? 1.0f : -1.0f);
+    vec2 mean = seen_slope(sea.mean, wo_local, s.front != 0u ? 1.0f : -1.0f);
     p.bsdf = load_bsdf(m.bsdf);
     // A matte share as large as its albedo, and all else clear: so that the exact Fresnel term
     // reflects, which is that of clear bodies.
@@ -65,12 +59,12 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     float share = max_component(matte);
     p.bsdf.base_color = share > 0.0f ? matte / share : vec3(1.0f);
     p.bsdf.transmission = 1.0f - share;
-    p.bsdf.alpha_x = max(sqrt(2.0f * sea.slopes.var_x), BSDF_MIN_ALPHA);
-    p.bsdf.alpha_y = max(sqrt(2.0f * sea.slopes.var_y), BSDF_MIN_ALPHA);
-    float spread = sqrt(sea.slopes.var_x * sea.slopes.var_y);
+    p.bsdf.alpha_x = max(sqrt(2.0f * sea.var_x), BSDF_MIN_ALPHA);
+    p.bsdf.alpha_y = max(sqrt(2.0f * sea.var_y), BSDF_MIN_ALPHA);
+    float spread = sqrt(sea.var_x * sea.var_y);
     p.bsdf.slot_a.x = mean.x;
     p.bsdf.slot_a.y = mean.y;
-    p.bsdf.slot_a.z = spread > 0.0f ? sea.slopes.cov / spread : 0.0f;
+    p.bsdf.slot_a.z = spread > 0.0f ? sea.cov / spread : 0.0f;
     return p;
 }
 

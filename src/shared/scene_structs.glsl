@@ -200,6 +200,15 @@ struct LightRecord {
     uint leaf;       // in the light tree: its place in its node, as LightTreeNode::parent
 };
 
+// The waves within a footprint (gp::Sea::slopes), of slopes as in shading/slope/slopes.glsl.
+struct SeaSlopes {
+    vec2 mean;
+    float var_x;
+    float var_y;
+    float cov;
+    float foam;      // share of the footprint that is covered
+};
+
 // A node of the light tree: what bounds each of its children in position, power and direction
 // (shading/light/tree.glsl), number by number, so that all are weighed at once.
 #define LIGHT_TREE_WIDTH 8

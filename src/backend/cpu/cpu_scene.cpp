@@ -215,11 +215,9 @@ void showEnvironment(SceneView& view, const EnvironmentTable* t, glm::vec3 color
                             t->height, t->side, t->texelScale, t->densityScale};
 }
 
-static void seaSlopes(const void* sea, const glm::vec2 (&footprint)[3], float (&slopes)[6]) {
-    const OceanSlopes s =
-        static_cast<const Sea*>(sea)->slopes(footprint[0], footprint[1], footprint[2]);
-    const float values[6] = {s.mean.x, s.mean.y, s.varX, s.varY, s.cov, s.foam};
-    std::memcpy(slopes, values, sizeof values);
+static SeaSlopes seaSlopes(const Sea& sea, glm::vec2 rest, glm::vec2 d0, glm::vec2 d1) {
+    const OceanSlopes s = sea.slopes(rest, d0, d1);
+    return {s.mean, s.varX, s.varY, s.cov, s.foam};
 }
 
 void CpuScene::fillView(const Scene& scene) {

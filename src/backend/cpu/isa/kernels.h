@@ -153,28 +153,20 @@ struct Kernels {
     void record(uint32_t kind, const Ray& ray) const;
 
     // The sea. The one call out of the hot code: its tables are read in one place, by Ocean.
-    struct SeaSlopes;
-    SeaSlopes sample_sea(vec2 rest, vec2 d0, vec2 d1);
+    SeaSlopes sample_sea(vec2 rest, vec2 d0, vec2 d1) {
+        return view.seaSlopes(*view.sea, rest, d0, d1);
+    }
 
 #include "kernels/environment.glsl"
 #include "kernels/surface.glsl"
 #include "kernels/material.glsl"
 #include "kernels/sky.glsl"
 #include "kernels/light_choice.glsl"
+#include "kernels/leaving_ray.glsl"
 #include "kernels/path.glsl"
 #include "kernels/primary.glsl"
 #include "kernels/tonemap.glsl"
 };
-
-inline Kernels::SeaSlopes Kernels::sample_sea(vec2 rest, vec2 d0, vec2 d1) {
-    float values[6];
-    view.seaSlopes(view.sea, {rest, d0, d1}, values);
-    SeaSlopes s;
-    s.slopes.mean = vec2(values[0], values[1]);
-    s.slopes.var_x = values[2], s.slopes.var_y = values[3], s.slopes.cov = values[4];
-    s.foam = values[5];
-    return s;
-}
 
 using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
