@@ -1,9 +1,9 @@
-// Glints by counting: the binomial's mean and variance, whatever the footprint; no jumps between
+// Glints by counting, and Zirr and Kaplanyan's for comparison: the binomial's mean and variance, whatever the footprint; no jumps between
 // its grids; symmetry; any input.
 #include "shading/lang.h"
 
 GP_SHADING_BEGIN
-#include "shading/glint/counting.glsl"
+#include "shading/glint/zirr.glsl"
 GP_SHADING_END
 
 #include <cmath>
@@ -41,7 +41,8 @@ struct Statistics {
 
 // Over pixels anywhere, directions of their footprints included, and slopes near s: averaged over
 // where grids and slope cells lie.
-Statistics statisticsOf(Glint g, vec2 z, bool turned, int count) {
+Statistics statisticsOf(Glint g, vec2 z, bool turned, int count,
+                        float (*p22)(const Glint&, vec2) = glint_counting_p22) {
     test::Random random(11);
     double sum = 0, squares = 0;
     const vec2 d0 = g.d0, d1 = g.d1;
@@ -53,7 +54,7 @@ Statistics statisticsOf(Glint g, vec2 z, bool turned, int count) {
             g.d1 = vec2(c * d1.x - s * d1.y, s * d1.x + c * d1.y);
         }
         const vec2 s = slopeAt(g, z);
-        const double ratio = double(glint_counting_p22(g, s)) / double(slopes_p22(g.slopes, s));
+        const double ratio = double(p22(g, s)) / double(slopes_p22(g.slopes, s));
         sum += ratio, squares += ratio * ratio;
     }
     Statistics r;
@@ -70,7 +71,7 @@ double binomialVariance(const Glint& g, vec2 z, double n, double slopeArea) {
 }
 
 double facetSlopeArea(const Glint& g) {
-    const double det = double(g.slopes.var_x) * g.slopes.var_y - double(g.slopes.cov) * g.slopes.cov;
+    const double cov = g.slopes.cov, det = double(g.slopes.var_x) * g.slopes.var_y - cov * cov;
     return 4 * 3.14159265 * 0.0566 * 0.0566 * std::sqrt(det);
 }
 
@@ -135,6 +136,24 @@ TEST(Counting, FarAwayItIsBeckmann) {
     }
 }
 
+// The table of docs/water.md: what the comparison keeps and what it does not.
+TEST(Zirr, MeanIsNearBeckmannAndVarianceBelowTheBinomial) {
+    for (const float facets : {3.0f, 100.0f, 300.0f, 1000.0f, 100000.0f}) {
+        const Glint g =
+            glintOf(std::log(facets / 0.0107f), vec2(0.13f, 0.02f), vec2(0.05f, 0.09f));
+        const double expected = binomialVariance(g, vec2(0.5f), facets, facetSlopeArea(g));
+        const int count = int(std::clamp(expected / 1e-4, 5000.0, 150000.0));
+        const Statistics ours = statisticsOf(g, vec2(0.5f), true, count);
+        const Statistics zirr = statisticsOf(g, vec2(0.5f), true, count, glint_zirr_p22);
+        fmt::print("{} facets: mean {:.3f} and {:.3f}, variance {:.2f} and {:.2f}\n", facets,
+                   ours.mean, zirr.mean, ours.variance / expected, zirr.variance / expected);
+        EXPECT_GT(zirr.mean, 1 - std::max(0.02, 4 * zirr.error));
+        EXPECT_LT(zirr.mean, 1.03 + std::max(0.02, 4 * zirr.error));
+        EXPECT_LT(zirr.variance, 0.6 * expected);
+        EXPECT_GT(zirr.variance, 0.02 * expected);
+    }
+}
+
 // Between neighbouring grids no jump: the triangulations agree on their common faces.
 TEST(Counting, FootprintsChangeSmoothly) {
     // 1e5 facets in the smallest footprint, 600 of which reflect: their number is good to 4 %, and
@@ -190,8 +209,8 @@ TEST(Counting, NoInputMakesWhatIsNotFinite) {
         g.jitter = any(), g.area = any();
         g.k0 = vec2(any(), any()), g.k1 = vec2(any(), any());
         const vec2 s = i % 4 == 0 ? vec2(any(), any()) : slopeAt(g, vec2(random.uniform()));
-        const float value = glint_counting_p22(g, s);
-        ASSERT_TRUE(std::isfinite(value) && value >= 0)
+        const float value = glint_counting_p22(g, s), zirr = glint_zirr_p22(g, s);
+        ASSERT_TRUE(std::isfinite(value + zirr) && value >= 0 && zirr >= 0)
             << g.log_density << ' ' << g.d0.x << ' ' << g.d0.y << ' ' << g.d1.x << ' ' << g.d1.y
             << ' ' << g.uv.x << ' ' << g.area << ' ' << g.jitter << ' ' << g.k0.x << ' ' << s.x;
     }

@@ -31,6 +31,10 @@ struct CountingFootprint {
     float slope_level;  // log2 of the slope cells' size where a pixel's kernel is wider
     float facets;       // under the footprint
     float hit;          // probability that one of them reflects
+    float slope_area;   // of the slopes over which a facet does
+    float major;        // of the footprint, never below the spacing of facets
+    float minor;
+    float turn;         // direction of the long axis, in half turns, 0 … 1
     float jitter;
     uint seed;
 };
@@ -63,6 +67,13 @@ float counting_facets(float n, float hit, uint gate_bits, uint normal_bits) {
     return gate * count;
 }
 
+// Facets of one cell over their mean number there, from bits of its hash.
+// [Chermain et al. 2020, section 4.3: densities are log-normal, in levels of 4]
+float counting_unevenness(float jitter, uint bits) {
+    if (!(jitter > 0.0f)) { return 1.0f; }
+    return exp(clamp(1.38629436f * jitter * counting_normal(bits), -20.0f, 20.0f));
+}
+
 // The share of the facets of one cell (weight: its share of the footprint) that reflects, over
 // four cells of slopes. id: of the cell and its grid.
 float counting_cell(IN(CountingFootprint) f, uvec3 id, float weight) {
@@ -77,10 +88,7 @@ float counting_cell(IN(CountingFootprint) f, uvec3 id, float weight) {
     uint x = uint(int(corner.x));
     uint y = uint(int(corner.y));
     uint stream = own.x ^ (uint(int(level)) * 0x9E3779B9u);
-    // [Chermain et al. 2020, section 4.3: densities are log-normal, in levels of 4]
-    float density = f.jitter > 0.0f
-        ? exp(clamp(1.38629436f * f.jitter * counting_normal(own.y ^ (own.z >> 7u)), -20.0f, 20.0f))
-        : 1.0f;
+    float density = counting_unevenness(f.jitter, own.y ^ (own.z >> 7u));
     float n = f.facets * density * weight;
     uvec3 a = hash_u32x3(uvec3(x, y, stream));
     uvec3 b = hash_u32x3(uvec3(x + 1u, y, stream));
@@ -187,48 +195,55 @@ float counting_grids(IN(CountingFootprint) f, float ratio, float turn, float lev
                            b_first ? middle_weight : b_weight, above - a_weight - low);
 }
 
-// Slopes of a footprint's facets: density at s, as glint_p22. Whoever samples draws from g.slopes,
-// whose density is its mean over all surfaces.
-float glint_counting_p22(IN(Glint) g, vec2 s) {
-    float smooth_p22 = slopes_p22(g.slopes, s);
-    float share = clamp(g.area, 0.0f, 1.0f);
-    float density = exp(clamp(g.log_density, -40.0f, 60.0f)) * share;
-    if (!(smooth_p22 > 0.0f && density > 0.0f)) { return smooth_p22; }
+// Facets per area of uv, after the share of the surface that has any.
+float counting_density(IN(Glint) g) {
+    return exp(clamp(g.log_density, -40.0f, 60.0f)) * clamp(g.area, 0.0f, 1.0f);
+}
+
+// smooth_p22: density of all slopes at s, above 0.
+CountingFootprint counting_footprint(IN(Glint) g, vec2 s, float smooth_p22) {
     // A facet reflects into the pixel over its own slopes and those that the pixel's half vectors
     // have. That area, 4 pi times the deviations' product, is as large as a Gaussian's square is.
-    float xx = COUNTING_LOBE * COUNTING_LOBE * g.slopes.var_x
-             + (g.k0.x * g.k0.x + g.k1.x * g.k1.x) * (1.0f / 12.0f);
-    float yy = COUNTING_LOBE * COUNTING_LOBE * g.slopes.var_y
-             + (g.k0.y * g.k0.y + g.k1.y * g.k1.y) * (1.0f / 12.0f);
-    float xy = COUNTING_LOBE * COUNTING_LOBE * g.slopes.cov
-             + (g.k0.x * g.k0.y + g.k1.x * g.k1.y) * (1.0f / 12.0f);
+    float own = COUNTING_LOBE * COUNTING_LOBE;
+    float xx = own * g.slopes.var_x + (g.k0.x * g.k0.x + g.k1.x * g.k1.x) * (1.0f / 12.0f);
+    float yy = own * g.slopes.var_y + (g.k0.y * g.k0.y + g.k1.y * g.k1.y) * (1.0f / 12.0f);
+    float xy = own * g.slopes.cov + (g.k0.x * g.k0.y + g.k1.x * g.k1.y) * (1.0f / 12.0f);
     float spread = sqrt(g.slopes.var_x * g.slopes.var_y - g.slopes.cov * g.slopes.cov);
-    float lobe = max(sqrt(max(xx * yy - xy * xy, 0.0f)), COUNTING_LOBE * COUNTING_LOBE * spread);
-    float slope_area = 2.0f * TWO_PI * min(lobe, 0.5f * spread);
-    FootprintEllipse e = footprint_ellipse(g.d0, g.d1);
-    // Below one facet a pixel sees that facet, as large as it is.
-    float spacing = inversesqrt(density);
-    float major = max(e.major, spacing);
-    float minor = max(max(e.minor, spacing), major * exp2(-COUNTING_MAX_RATIO));
+    float lobe = max(sqrt(max(xx * yy - xy * xy, 0.0f)), own * spread);
     CountingFootprint f;
-    f.uv = footprint_bounded2(g.uv, 1.0e9f);
-    f.hit = min(smooth_p22 * slope_area, 1.0f);
-    f.facets = density * (major * minor);
-    // So many that their number says no more than its mean: 0.1 % of deviation.
-    if (!(f.facets * f.hit < 1.0e6f)) { return smooth_p22; }
-    f.jitter = clamp(g.jitter, 0.0f, 8.0f);
-    f.seed = g.seed;
+    f.slope_area = 2.0f * TWO_PI * min(lobe, 0.5f * spread);
+    f.slope_level = max(0.5f * log2(min(lobe, 0.5f * spread) / (own * spread)), 0.0f);
+    f.hit = min(smooth_p22 * f.slope_area, 1.0f);
     // Deviations by the Cholesky factor, in cells as large as a facet's own slopes.
     vec2 c = s - g.slopes.mean;
     float l_xx = sqrt(g.slopes.var_x);
-    float l_yy = spread / l_xx;
-    float across = (c.y - c.x * g.slopes.cov / g.slopes.var_x) / l_yy;
+    float across = (c.y - c.x * g.slopes.cov / g.slopes.var_x) * l_xx / spread;
     f.slope = vec2(abs(c.x) / l_xx, abs(across)) * (1.0f / (3.5449077f * COUNTING_LOBE));
-    float own_area = 2.0f * TWO_PI * COUNTING_LOBE * COUNTING_LOBE * spread;
-    f.slope_level = max(0.5f * log2(slope_area / own_area), 0.0f);
+    // Below one facet a pixel sees that facet, as large as it is.
+    float density = counting_density(g);
+    float spacing = inversesqrt(density);
+    FootprintEllipse e = footprint_ellipse(g.d0, g.d1);
+    f.major = max(e.major, spacing);
+    f.minor = max(max(e.minor, spacing), f.major * exp2(-COUNTING_MAX_RATIO));
+    f.facets = density * (f.major * f.minor);
     float turn = 2.0f * turns_from_vector(e.axis.y, e.axis.x);
-    float found = counting_grids(f, log2(major / minor), turn - floor(turn), log2(minor));
-    return (1.0f - share) * smooth_p22 + share * found / slope_area;
+    f.turn = turn - floor(turn);
+    f.uv = footprint_bounded2(g.uv, 1.0e9f);
+    f.jitter = clamp(g.jitter, 0.0f, 8.0f);
+    f.seed = g.seed;
+    return f;
+}
+
+// Density of the slopes of a footprint's facets at s, as glint_p22. Whoever samples draws from
+// g.slopes, whose density is its mean over all surfaces.
+float glint_counting_p22(IN(Glint) g, vec2 s) {
+    float smooth_p22 = slopes_p22(g.slopes, s);
+    if (!(smooth_p22 > 0.0f && counting_density(g) > 0.0f)) { return smooth_p22; }
+    CountingFootprint f = counting_footprint(g, s, smooth_p22);
+    // So many that their number says no more than its mean: 0.1 % of deviation.
+    if (!(f.facets * f.hit < 1.0e6f)) { return smooth_p22; }
+    float found = counting_grids(f, log2(f.major / f.minor), f.turn, log2(f.minor));
+    return mix(smooth_p22, found / f.slope_area, clamp(g.area, 0.0f, 1.0f));
 }
 
 #endif
