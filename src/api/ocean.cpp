@@ -52,6 +52,9 @@ OceanSettings wavesFrom(const GpOceanDesc& d) {
         fail(GP_ERROR_OUT_OF_RANGE, "cascades is {}, more than {}", d.cascades,
              oceanMostCascades);
     if (d.cascades != 0) waves.cascades = d.cascades;
+    // Of the fourth, which the waves' own defaults leave out: down to ripples of 5 mm.
+    constexpr float finest = 0.613f;
+    if (waves.cascades == oceanMostCascades) waves.lengths.back() = finest;
     return waves;
 }
 

@@ -19,12 +19,18 @@ constexpr float parallelViewHeights = 1;
 
 glm::vec3 worldFromSea(glm::vec3 v) { return {v.x, v.z, -v.y}; }
 
-std::shared_ptr<Material> waterOf(const SeaSettings& s) {
+// The model's parameters but for what varies: that is filled in at each point.
+std::shared_ptr<Material> waterOf(const SeaSettings& s, const Ocean& ocean) {
     auto water = std::make_shared<Material>();
     water->name = "sea";
     auto bsdf = std::make_shared<BsdfSettings>(findBsdfModel("glint"));
     bsdf->set("ior", fmt::format("{}", s.ior));
     bsdf->set("thin", "false");
+    // What is prepared for a material is so for one roughness: that of the whole sea.
+    const OceanMoments all = ocean.momentsAbove(0);
+    const float alpha = std::clamp(std::sqrt(all.xx + all.yy), 1.0e-4f, 1.0f);
+    bsdf->set("alpha_x", fmt::format("{}", alpha));
+    bsdf->set("alpha_y", fmt::format("{}", alpha));
     const glm::vec3 r = s.clear ? glm::vec3(0) : seaReflectance(s);
     bsdf->set("base_color", fmt::format("{},{},{}", r.x, r.y, r.z));
     water->layers = {{.bsdf = std::move(bsdf), .weight = 1, .mask = {}, .channel = 0}};
@@ -86,7 +92,7 @@ Sea::Sea(const SeaSettings& settings)
     mesh_->name = "sea";
     mesh_->kind = MeshKind::dynamic;
     mesh_->wanders = true;
-    mesh_->material = waterOf(settings);
+    mesh_->material = waterOf(settings, ocean_);
     instance_->name = "sea";
     instance_->mesh = mesh_;
     instance_->ofSea = true;

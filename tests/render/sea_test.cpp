@@ -72,7 +72,10 @@ Picture seaPicture(const GpOceanDesc& desc, const GpCameraDesc& camera, uint32_t
 TEST(Sea, CalmWaterReflectsByFresnel) {
     for (const double pitch : {-0.25, -0.5, -1.2}) {
         const Picture picture = seaPicture(calm(), looking(pitch), effort(1024));
-        expectMean(picture, meanOverPicture(pitch, fresnel), std::to_string(pitch));
+        // Many paths go down into the dark: few per cent are known at best.
+        EXPECT_NEAR(picture.mean().y, meanOverPicture(pitch, fresnel), 4 * picture.sigma().y)
+            << pitch;
+        EXPECT_LT(picture.sigma().y, 0.02 * meanOverPicture(pitch, fresnel));
     }
 }
 
