@@ -88,6 +88,17 @@ void addLocalOptions(CLI::App& app, LocalSettings& s) {
                     {"none", GP_FALLOFF_NONE}};
                 s.falloff = parseChoice("--falloff", word, choices);
             })->group(group);
+    addWord(app, "--ndf-filter", "NAME",
+            "Widen highlights by what a pixel sees of a curved surface: none, kaplanyan, "
+            "tokuyoshi, deferred (default none)",
+            [&s](const std::string& word) {
+                const std::pair<const char*, GpNdfFilter> choices[] = {
+                    {"none", GP_NDF_FILTER_NONE},
+                    {"kaplanyan", GP_NDF_FILTER_KAPLANYAN},
+                    {"tokuyoshi", GP_NDF_FILTER_TOKUYOSHI},
+                    {"deferred", GP_NDF_FILTER_DEFERRED}};
+                s.ndfFilter = parseChoice("--ndf-filter", word, choices);
+            })->group(group);
     addWord(app, "--ambient", "R,G,B",
             "Radiance from all sides, W/(m^2 sr), beside the mean of the surroundings (default 0)",
             [&s](const std::string& word) {
@@ -101,7 +112,11 @@ void addLocalOptions(CLI::App& app, LocalSettings& s) {
 
 void checkMode(const CLI::App& app, const LocalSettings& s) {
     const bool local = s.mode == GP_MODE_LOCAL;
-    frequenciesOf(s);
+    for (const GpShadingFrequency frequency : frequenciesOf(s)) {
+        if (frequency != GP_FREQUENCY_PIXEL && s.ndfFilter != GP_NDF_FILTER_NONE) {
+            throw UsageError("--ndf-filter: only with --frequency phong");
+        }
+    }
     const auto refuse = [&](const char* option, const char* mode) {
         if (app.count(option) > 0) {
             throw UsageError(fmt::format("{}: only with --mode {}", option, mode));
@@ -116,7 +131,8 @@ void checkMode(const CLI::App& app, const LocalSettings& s) {
         }
         return;
     }
-    for (const char* option : {"--lighting", "--set", "--frequency", "--falloff", "--ambient"}) {
+    for (const char* option :
+         {"--lighting", "--set", "--frequency", "--falloff", "--ndf-filter", "--ambient"}) {
         refuse(option, "local");
     }
 }
@@ -154,6 +170,7 @@ std::vector<Lighting> lightingsOf(const LocalSettings& settings,
             }
             lighting.local.frequency = frequency;
             lighting.local.falloff = settings.falloff;
+            lighting.local.ndfFilter = settings.ndfFilter;
             std::copy_n(settings.ambient, 3, lighting.local.ambient);
             all.push_back(lighting);
         }

@@ -14,6 +14,7 @@ struct LocalSettings {
     ModelOptions models;  // none: surfaces have their own reflectance; "all" stands for many
     std::vector<std::string> frequencyWords;  // none: phong
     GpFalloff falloff = GP_FALLOFF_INVERSE_SQUARE;
+    GpNdfFilter ndfFilter = GP_NDF_FILTER_NONE;
     float ambient[3] = {0, 0, 0};
 };
 

@@ -793,6 +793,16 @@ typedef enum GpFalloff {
     GP_FALLOFF_NONE = 2
 } GpFalloff;
 
+/* How GP_MODE_LOCAL keeps highlights on curved surfaces from flickering: they are made as wide as
+ * the half vector turns within a pixel. Of glTF, GGX (also dielectric) and Beckmann materials,
+ * their reflections only; normal maps do not count as curvature. docs/water.md compares them. */
+typedef enum GpNdfFilter {
+    GP_NDF_FILTER_NONE = 0,
+    GP_NDF_FILTER_KAPLANYAN = 1, /* 2016: slopes of the half vector, along tangent and bitangent */
+    GP_NDF_FILTER_TOKUYOSHI = 2, /* 2021: the projected half vector, in any direction; the best */
+    GP_NDF_FILTER_DEFERRED = 3   /* 2019: one width for all lights, from the normal alone */
+} GpNdfFilter;
+
 /* GP_MODE_LOCAL: what the camera sees is lit by the lamps alone, without shadows and bounces, as a
  * rasteriser would; light is f cos E, summed over the lamps. Spheres and rectangles shine from
  * their centre with their whole power, polygons from the centres of their triangles, directional
@@ -806,6 +816,7 @@ typedef struct GpLocalLighting {
     GpShadingFrequency frequency; /* GP_FREQUENCY_PIXEL */
     GpFalloff falloff;            /* GP_FALLOFF_INVERSE_SQUARE */
     float ambient[3];             /* radiance from all sides, W/(m^2 sr), >= 0; 0 */
+    GpNdfFilter ndfFilter;        /* GP_NDF_FILTER_NONE; others only with GP_FREQUENCY_PIXEL */
 } GpLocalLighting;
 
 /* GP_MODE_REALTIME: one path a pixel and frame. A pixel has a camera ray that goes on through

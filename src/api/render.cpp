@@ -30,6 +30,9 @@ static_assert(GP_FREQUENCY_VERTEX == int(ShadingFrequency::vertex) &&
               GP_FREQUENCY_TRIANGLE == int(ShadingFrequency::triangle));
 static_assert(GP_FALLOFF_INVERSE == int(Falloff::inverse) &&
               GP_FALLOFF_NONE == int(Falloff::none));
+static_assert(GP_NDF_FILTER_KAPLANYAN == int(NdfFilter::kaplanyan) &&
+              GP_NDF_FILTER_TOKUYOSHI == int(NdfFilter::tokuyoshi) &&
+              GP_NDF_FILTER_DEFERRED == int(NdfFilter::deferred));
 
 constexpr double widestFilter = 16;  // pixels
 
@@ -76,6 +79,8 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
         refuse("local.frequency", "GP_MODE_LOCAL");
     if (checkEnum(o.local.falloff, 3, "options.local.falloff") != 0)
         refuse("local.falloff", "GP_MODE_LOCAL");
+    if (checkEnum(o.local.ndfFilter, 4, "options.local.ndfFilter") != 0)
+        refuse("local.ndfFilter", "GP_MODE_LOCAL");
     if (!allZero(o.local.ambient, 3)) refuse("local.ambient", "GP_MODE_LOCAL");
 }
 
@@ -86,6 +91,10 @@ LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* mo
     local.frequency =
         ShadingFrequency(checkEnum(o.local.frequency, 3, "options.local.frequency"));
     local.falloff = Falloff(checkEnum(o.local.falloff, 3, "options.local.falloff"));
+    local.ndfFilter = NdfFilter(checkEnum(o.local.ndfFilter, 4, "options.local.ndfFilter"));
+    if (local.ndfFilter != NdfFilter::none && local.frequency != ShadingFrequency::pixel)
+        fail(GP_ERROR_INVALID_ARGUMENT,
+             "options.local.ndfFilter filters over pixels: only with GP_FREQUENCY_PIXEL");
     checkNotNegative(o.local.ambient, 3, "options.local.ambient");
     local.ambient = vec3From(o.local.ambient);
     if (model && shading == ShadingMode::diffuse)

@@ -22,11 +22,13 @@ struct EnvironmentTable;  // scene/environment_table.h
 // FrameMode::local: how lamps light what the camera sees. The numbers are the kernel's.
 enum class ShadingFrequency : uint32_t { pixel, vertex, triangle };
 enum class Falloff : uint32_t { inverseSquare, inverse, none };
+enum class NdfFilter : uint32_t { none, kaplanyan, tokuyoshi, deferred };
 
 struct LocalLighting {
     const BsdfSettings* model = nullptr;  // in every material's place; null: their own
     ShadingFrequency frequency = ShadingFrequency::pixel;
     Falloff falloff = Falloff::inverseSquare;
+    NdfFilter ndfFilter = NdfFilter::none;
     glm::vec3 ambient{0};                 // radiance, beside the environment's
 };
 

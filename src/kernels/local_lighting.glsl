@@ -7,6 +7,7 @@
 #ifndef GP_KERNELS_LOCAL_LIGHTING_GLSL
 #define GP_KERNELS_LOCAL_LIGHTING_GLSL
 #include "kernels/path.glsl"
+#include "kernels/pixel_turn.glsl"
 #include "shading/light/lamp_point.glsl"
 
 // What a point of a surface sends to the viewer.
@@ -20,6 +21,8 @@ struct LocalPoint {
     ShadingPoint shading;
     vec3 position;
     vec3 wo;
+    PixelTurns turns;   // only where highlights are filtered, as the next
+    float inv_viewer;   // 1 / metres to the viewer, 0: a parallel view
 };
 
 LightSample lamp_sample(IN(LightRecord) record, vec3 p, uint falloff) {
@@ -38,6 +41,25 @@ LightSample lamp_sample(IN(LightRecord) record, vec3 p, uint falloff) {
         sphere_light_sample(sphere_light_as_point(lamp), p, vec2(0.0f)), falloff);
 }
 
+// Whether light on this side of the surface makes a highlight that is filtered.
+bool highlight_is_filtered(IN(LocalPoint) at, vec3 wo_local, vec3 wi_local) {
+    return load_local_lighting().ndf_filter != NDF_FILTER_NONE &&
+           ndf_filter_applies(at.shading.bsdf.model) && wo_local.z * wi_local.z > 0.0f;
+}
+
+// f cos of a lamp with the highlight as wide as the pixel sees it.
+vec3 filtered_f_cos(IN(LocalPoint) at, IN(LightSample) lamp, vec3 wo_local, vec3 wi_local) {
+    LET_REF(Frame) f = at.shading.frame;
+    float inv_light = lamp.distance < FLOAT_MAX ? 1.0f / max(lamp.distance, 1.0e-6f) : 0.0f;
+    vec3 dh0 = half_vector_turn(at.turns.a, f, at.wo, lamp.wi, at.inv_viewer, inv_light);
+    vec3 dh1 = half_vector_turn(at.turns.b, f, at.wo, lamp.wi, at.inv_viewer, inv_light);
+    vec3 h = normalize(wo_local + wi_local);
+    FilteredBsdf filtered = ndf_filtered_bsdf(at.shading.bsdf, at.turns, h, dh0, dh1,
+                                              load_local_lighting().ndf_filter);
+    return bsdf_eval(filtered.bsdf, turned_about_normal(wo_local, filtered.axis),
+                     turned_about_normal(wi_local, filtered.axis)).f_cos;
+}
+
 LocalLight light_of(IN(LocalPoint) at) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
     vec3 wo_local = local_from_world(at.shading.frame, at.wo);
@@ -47,7 +69,10 @@ LocalLight light_of(IN(LocalPoint) at) {
         LightSample lamp = lamp_sample(load_light(i), at.position, local.falloff);
         if (!(lamp.pdf > 0.0f)) { continue; }
         vec3 wi_local = local_from_world(at.shading.frame, lamp.wi);
-        sum.direct += bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos * lamp.radiance;
+        vec3 f_cos = highlight_is_filtered(at, wo_local, wi_local)
+                         ? filtered_f_cos(at, lamp, wo_local, wi_local)
+                         : bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
+        sum.direct += f_cos * lamp.radiance;
     }
     sum.ambient = bsdf_albedo(at.shading.bsdf, abs(dot(shown_normal(at.shading), at.wo))) *
                   local.ambient;
@@ -90,6 +115,10 @@ LocalPoint local_point(IN(PathState) path, IN(MaterialRecord) m, float u, float 
     at.wo = local.parallel_view != 0u ? -path.ray.direction
                                       : normalize(path.ray.origin - s.position);
     at.shading = load_shading_point(m, s, at.wo, u_lod, diffuse);
+    if (local.ndf_filter != NDF_FILTER_NONE) {
+        at.turns = pixel_turns(hit, path.ray.direction, path.cone);
+        at.inv_viewer = local.parallel_view != 0u ? 0.0f : 1.0f / max(path.hit.t, 1.0e-6f);
+    }
     return at;
 }
 

@@ -11,15 +11,23 @@ struct SinCos {
     float c;
 };
 
-// Sine and cosine; the error is below 1.5e-7 for up to 1000 turns. Chebyshev fits of our own of
-// sin(2 pi r) / r and cos(2 pi r) in r^2, on an eighth of a turn to both sides.
+// Sine and cosine of up to an eighth of a turn to both sides. Chebyshev fits of our own of
+// sin(2 pi r) / r and cos(2 pi r) in r^2.
+SinCos sincos_eighth(float r) {
+    float r2 = r * r;
+    SinCos result;
+    result.s = r * (6.28318529f + r2 * (-41.3416626f + r2 * (81.59254821f - r2 * 75.40184032f)));
+    result.c = 1.0f + r2 * (-19.73920865f +
+                            r2 * (64.93931617f + r2 * (-85.44284839f + r2 * 59.22028787f)));
+    return result;
+}
+
+// Sine and cosine; the error is below 1.5e-7 for up to 1000 turns.
 SinCos sincos_turns(float turns) {
     float quarter = floor(4.0f * turns + 0.5f);
-    float r = turns - 0.25f * quarter;
-    float r2 = r * r;
-    float s = r * (6.28318529f + r2 * (-41.3416626f + r2 * (81.59254821f - r2 * 75.40184032f)));
-    float c = 1.0f + r2 * (-19.73920865f +
-                           r2 * (64.93931617f + r2 * (-85.44284839f + r2 * 59.22028787f)));
+    SinCos near = sincos_eighth(turns - 0.25f * quarter);
+    float s = near.s;
+    float c = near.c;
     uint quadrant = uint(int(quarter)) & 3u;
     bool swapped = (quadrant & 1u) != 0u;
     float sine = swapped ? c : s;

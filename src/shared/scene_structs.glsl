@@ -288,6 +288,7 @@ struct LocalLightingConstants {
     uint lamps;               // the first lights of the table: all but emissive triangles
     uint replaces_materials;  // 1: one model is the reflectance of all surfaces
     uint parallel_view;       // 1: an orthographic camera
+    uint ndf_filter;          // NDF_FILTER_ of shading/slope/ndf_filtering.glsl
 };
 
 #endif

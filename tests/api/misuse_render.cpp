@@ -187,6 +187,9 @@ void addLocalRows(Rows& rows) {
         optionRow("a falloff for the path tracer", GP_ERROR_INVALID_ARGUMENT,
                   "options.local.falloff is only for frames of GP_MODE_LOCAL",
                   [](GpRenderOptions& o) { o.local.falloff = GP_FALLOFF_NONE; }),
+        optionRow("a filter of highlights for the path tracer", GP_ERROR_INVALID_ARGUMENT,
+                  "options.local.ndfFilter is only for frames of GP_MODE_LOCAL",
+                  [](GpRenderOptions& o) { o.local.ndfFilter = GP_NDF_FILTER_TOKUYOSHI; }),
         optionRow("a frequency for the path tracer", GP_ERROR_INVALID_ARGUMENT,
                   "options.local.frequency is only for frames of GP_MODE_LOCAL",
                   [](GpRenderOptions& o) { o.local.frequency = GP_FREQUENCY_VERTEX; }),
@@ -214,6 +217,15 @@ void addLocalRows(Rows& rows) {
                  }),
         localRow("unknown falloff", GP_ERROR_INVALID_ARGUMENT, "options.local.falloff is 7",
                  [](World&, GpRenderOptions& o) { o.local.falloff = anyEnum<GpFalloff>(7); }),
+        localRow("unknown filter of highlights", GP_ERROR_INVALID_ARGUMENT,
+                 "options.local.ndfFilter is 4",
+                 [](World&, GpRenderOptions& o) { o.local.ndfFilter = anyEnum<GpNdfFilter>(4); }),
+        localRow("highlights filtered at corners", GP_ERROR_INVALID_ARGUMENT,
+                 "only with GP_FREQUENCY_PIXEL",
+                 [](World&, GpRenderOptions& o) {
+                     o.local.frequency = GP_FREQUENCY_VERTEX;
+                     o.local.ndfFilter = GP_NDF_FILTER_DEFERRED;
+                 }),
         localRow("ambient below 0", GP_ERROR_OUT_OF_RANGE, "options.local.ambient[1] is -1",
                  [](World&, GpRenderOptions& o) { o.local.ambient[1] = -1; }),
         localRow("ambient is NaN", GP_ERROR_NOT_FINITE, "options.local.ambient[0]",

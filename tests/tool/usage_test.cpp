@@ -52,8 +52,8 @@ TEST(Help, NamesEveryOptionOfRender) {
           "--exposure", "--tonemap", "--aov", "--seed", "--threads", "--json", "--shading",
           "--filter", "--clamp", "--isa", "--backend", "--time", "--full-float", "--quiet",
           "--animation", "--scene", "--no-roulette", "--mode", "--lighting", "--set",
-          "--frequency", "--falloff", "--ambient", "--frames", "--denoiser", "--light-reuse",
-          "--tune", "--aa", "--render-scale", "--mirrors", "Automatic exposure"}) {
+          "--frequency", "--falloff", "--ndf-filter", "--ambient", "--frames", "--denoiser",
+          "--light-reuse", "--tune", "--aa", "--render-scale", "--mirrors", "Automatic exposure"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
 }
@@ -124,6 +124,9 @@ TEST(Usage, WrongValuesOfRender) {
              {{"--set", "exponent=3"}, "--set: only with --mode local"},
              {{"--frequency", "flat"}, "--frequency: only with --mode local"},
              {{"--falloff", "none"}, "--falloff: only with --mode local"},
+             {{"--ndf-filter", "tokuyoshi"}, "--ndf-filter: only with --mode local"},
+             {{"--mode", "local", "--ndf-filter", "toksvig"}, "kaplanyan, tokuyoshi, deferred"},
+             {{"--mode", "local", "--ndf-filter", "deferred", "--frequency", "flat"}, "phong"},
              {{"--ambient", "1,1,1"}, "--ambient: only with --mode local"},
              {{"--mode", "local", "--bounces", "16"}, "--bounces: only with --mode reference"},
              {{"--mode", "local", "--clamp", "1"}, "--clamp: only with --mode reference"},

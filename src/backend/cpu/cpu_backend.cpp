@@ -117,7 +117,8 @@ namespace {
 static_assert(FREQUENCY_VERTEX == uint32_t(ShadingFrequency::vertex) &&
               FREQUENCY_TRIANGLE == uint32_t(ShadingFrequency::triangle) &&
               FALLOFF_INVERSE == uint32_t(Falloff::inverse) &&
-              FALLOFF_NONE == uint32_t(Falloff::none));
+              FALLOFF_NONE == uint32_t(Falloff::none) &&
+              NDF_FILTER_DEFERRED == uint32_t(NdfFilter::deferred));
 
 shared::LocalLightingConstants localConstants(const CpuScene& scene, const SceneView& view,
                                               const FramePlan& plan) {
@@ -127,6 +128,7 @@ shared::LocalLightingConstants localConstants(const CpuScene& scene, const Scene
     c.falloff = uint32_t(plan.local.falloff);
     c.lamps = view.lightCount - uint32_t(scene.emissiveTriangles());
     c.replaces_materials = plan.local.model != nullptr;
+    c.ndf_filter = uint32_t(plan.local.ndfFilter);
     c.parallel_view = plan.camera.kind == CameraKind::orthographic;
     return c;
 }
