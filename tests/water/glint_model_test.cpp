@@ -5,6 +5,7 @@
 
 #include "scene/glint_dictionary.h"
 #include "shading/shading.h"
+#include "statistics/chi2.h"
 #include "statistics/random.h"
 
 namespace gp::test {
@@ -146,6 +147,27 @@ TEST(GlintModel, FacetsByTheirOwnSamplesAndByThoseOfTheSmoothSurface) {
             EXPECT_LT(own, 1.0);
         }
     }
+}
+
+// Some seconds: single facets take a quadrature many points.
+TEST(GlintModel, FacetsAreDrawnByTheirDensity) {
+    BsdfParams m = withFacets(glintMetal(0.3f, 0.3f), float(GLINT_DICTIONARY), 1e6f);
+    m.slot_d = vec4(0.1f, 0.0f, 0.0f, 0.1f);
+    const vec3 wo = normalize(vec3(0.3f, 0.2f, 0.8f));
+    Chi2Options options;
+    options.name = "facets";
+    options.samples = 50'000;
+    SphereDomain domain;
+    domain.hemisphere = 1;
+    const Chi2Result result = chi2Sphere(
+        options, domain,
+        [&](Random& random) {
+            const BsdfSample s = drawn(m, wo, random);
+            return s.pdf > 0.0f ? s.wi : vec3(0.0f);
+        },
+        [&](vec3 wi) { return bsdf_eval(m, wo, wi).pdf; });
+    EXPECT_TRUE(result.passed) << result.message;
+    EXPECT_NEAR(result.pdfIntegral, result.acceptedFraction, 5e-3);
 }
 
 // Every sample's weight is its value over its density, at most the reflectance.

@@ -157,6 +157,8 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colore
     if (masked) r.flags |= MATERIAL_NEEDS_UV;
     if (r.model == MODEL_GLINT && m.normalTexture.texture)
         fillSlopeMap(r.normal_slot, m.normalTexture.texture);
+    if (m.sea != SeaWater::none) r.flags |= MATERIAL_SEA | MATERIAL_NEEDS_UV;
+    if (m.sea == SeaWater::deep) r.flags &= ~MATERIAL_SOLID;
     r.anisotropy = 1;  // any model may ask for tangents
 }
 

@@ -9,6 +9,7 @@
 #include "shared/scene_structs.h"
 
 namespace gp {
+class Sea;
 struct Camera;
 struct RealtimeViews;
 enum class RealtimePass : uint32_t;
@@ -75,6 +76,8 @@ struct SceneView {
     glm::vec3 environmentMean;                // radiance over the sphere
     float environmentCos, environmentSin;     // of its rotation
     float environmentPower;                   // luminance of the irradiance, W/m^2
+    const Sea* sea;                           // null: none
+    shared::SeaSlopes (*seaSlopes)(const Sea& sea, glm::vec2 rest, glm::vec2 d0, glm::vec2 d1);
     EnvironmentView background;               // the scene's own, as rays without weights see it
     glm::vec3 backgroundColor;
 };

@@ -162,11 +162,17 @@ struct Kernels {
     uint32_t nextAlphaSeed() { return pathSeed = hash_u32(pathSeed + 0x9E3779B9u); }
     void record(uint32_t kind, const Ray& ray) const;
 
+    // The sea. The one call out of the hot code: its tables are read in one place, by Ocean.
+    SeaSlopes sample_sea(vec2 rest, vec2 d0, vec2 d1) {
+        return view.seaSlopes(*view.sea, rest, d0, d1);
+    }
+
 #include "kernels/environment.glsl"
 #include "kernels/surface.glsl"
 #include "kernels/material.glsl"
 #include "kernels/sky.glsl"
 #include "kernels/light_choice.glsl"
+#include "kernels/leaving_ray.glsl"
 #include "kernels/path.glsl"
 #include "kernels/primary.glsl"
 #include "kernels/tonemap.glsl"
