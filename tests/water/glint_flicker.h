@@ -25,8 +25,9 @@ struct GlintPlane {
     float cameraHeight = 1.2f, fieldOfView = 0.8f, pitch = -0.35f;  // metres, radians
     glm::vec3 sun = glm::normalize(glm::vec3(0.1f, 0.9f, 0.45f));
     glm::vec2 step{0.004f, 0.009f};                      // metres a frame
+    glm::vec2 start{3.7f, 1.9f};
 
-    glm::vec2 camera(int frame) const { return step * float(frame) + glm::vec2(3.7f, 1.9f); }
+    glm::vec2 camera(int frame) const { return step * float(frame) + start; }
 
     glm::vec3 ray(glm::vec2 pixel) const {
         const float scale = 2 * std::tan(0.5f * fieldOfView) / float(width);
@@ -105,43 +106,77 @@ struct GlintFlicker {
     double brightness = 0; // mean radiance over the reference's
 };
 
-GlintFlicker glintFlicker(const GlintPlane& plane, const GlintMethod& method) {
-    const float exposure = plane.exposure();
-    std::vector<float> errorBefore, referenceBefore;
-    double flicker = 0, reference = 0, squares = 0, sum = 0, referenceSum = 0;
-    size_t count = 0, compared = 0;
-    for (int frame = 0; frame < plane.frames; ++frame) {
-        std::vector<float> errors, references;
-        const auto pixel = [&](glm::vec2 p) {
-            double mean = 0;
-            const float part = 1 / float(plane.side);
-            for (int j = 0; j < plane.side; ++j)
-                for (int i = 0; i < plane.side; ++i)
-                    mean += double(plane.radiance(
-                        method, frame, p - 0.5f + (glm::vec2(i, j) + 0.5f) * part, part));
-            mean /= plane.side * plane.side;
-            const float one = plane.radiance(method, frame, p, 1);
-            references.push_back(shown(float(mean) * exposure));
-            sum += double(one), referenceSum += mean, ++count;
-            return shown(one * exposure) - references.back();
-        };
-        errors = plane.image(pixel);
-        for (size_t i = 0; i < errors.size(); ++i) {
-            squares += double(errors[i]) * errors[i];
-            if (frame == 0) continue;
-            const glm::vec2 p = glm::vec2(i % size_t(plane.width), i / size_t(plane.width)) + 0.5f;
-            const glm::vec2 before = plane.pixelOf(frame - 1, plane.position(frame, p));
-            float e, r;
-            if (!readImage(plane, errorBefore, before, e)) continue;
-            readImage(plane, referenceBefore, before, r);
-            flicker += double(errors[i] - e) * (errors[i] - e);
-            reference += double(references[i] - r) * (references[i] - r);
-            ++compared;
+// Sums over pixels, frames and places.
+class FlickerSums {
+public:
+    FlickerSums(const GlintPlane& plane, const GlintMethod& method)
+        : plane_(plane), method_(method), exposure_(plane.exposure()) {}
+
+    void addPlace(glm::vec2 start) {
+        plane_.start = start;
+        Frame before;
+        for (int frame = 0; frame < plane_.frames; ++frame) {
+            Frame now = render(frame);
+            for (const float e : now.errors) squares_ += double(e) * e;
+            count_ += now.errors.size();
+            if (frame > 0) compare(frame, before, now);
+            before = std::move(now);
         }
-        errorBefore = errors, referenceBefore = references;
     }
-    return {std::sqrt(flicker / double(compared)), std::sqrt(reference / double(compared)),
-            std::sqrt(squares / double(count)), sum / referenceSum};
+    GlintFlicker result() const {
+        return {std::sqrt(flicker_ / double(compared_)), std::sqrt(reference_ / double(compared_)),
+                std::sqrt(squares_ / double(count_)), sum_ / referenceSum_};
+    }
+
+private:
+    struct Frame {
+        std::vector<float> errors, references;  // as shown
+    };
+
+    Frame render(int frame) {
+        Frame f;
+        f.errors = plane_.image([&](glm::vec2 p) {
+            double mean = 0;
+            const float part = 1 / float(plane_.side);
+            for (int j = 0; j < plane_.side; ++j)
+                for (int i = 0; i < plane_.side; ++i)
+                    mean += double(plane_.radiance(
+                        method_, frame, p - 0.5f + (glm::vec2(i, j) + 0.5f) * part, part));
+            mean /= plane_.side * plane_.side;
+            const float one = plane_.radiance(method_, frame, p, 1);
+            f.references.push_back(shown(float(mean) * exposure_));
+            sum_ += double(one), referenceSum_ += mean;
+            return shown(one * exposure_) - f.references.back();
+        });
+        return f;
+    }
+    void compare(int frame, const Frame& before, const Frame& now) {
+        for (size_t i = 0; i < now.errors.size(); ++i) {
+            const glm::vec2 p =
+                glm::vec2(i % size_t(plane_.width), i / size_t(plane_.width)) + 0.5f;
+            const glm::vec2 then = plane_.pixelOf(frame - 1, plane_.position(frame, p));
+            float e, r;
+            if (!readImage(plane_, before.errors, then, e)) continue;
+            readImage(plane_, before.references, then, r);
+            flicker_ += double(now.errors[i] - e) * (now.errors[i] - e);
+            reference_ += double(now.references[i] - r) * (now.references[i] - r);
+            ++compared_;
+        }
+    }
+
+    GlintPlane plane_;
+    GlintMethod method_;
+    float exposure_;
+    double flicker_ = 0, reference_ = 0, squares_ = 0, sum_ = 0, referenceSum_ = 0;
+    size_t count_ = 0, compared_ = 0;
+};
+
+// Over this many places of the plane.
+GlintFlicker glintFlicker(const GlintPlane& plane, const GlintMethod& method, int places) {
+    FlickerSums sums(plane, method);
+    for (int k = 0; k < places; ++k)
+        sums.addPlace(glm::vec2(3.7f, 1.9f) + float(k) * glm::vec2(7.31f, 3.77f));
+    return sums.result();
 }
 
 }  // namespace
