@@ -17,6 +17,7 @@ struct Command {
 Command addRenderCommand(CLI::App& tool);
 Command addAnimateCommand(CLI::App& tool);
 Command addEvaluateCommand(CLI::App& tool);
+Command addOceanCommand(CLI::App& tool);
 Command addInfoCommand(CLI::App& tool);
 Command addViewCommand(CLI::App& tool);
 Command addCompareCommand(CLI::App& tool);

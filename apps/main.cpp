@@ -21,6 +21,7 @@ constexpr const char* kExamples =
     "  glitterpath info still-life.glb\n"
     "  glitterpath render still-life.glb -o still-life.png --time-limit 60\n"
     "  glitterpath animate fox.glb --frames 48 --path orbit -o fox.mp4\n"
+    "  glitterpath ocean --wind 8 --sun 0,5 -o sea.png\n"
     "  glitterpath compare test.exr reference.exr --heatmap difference.png\n"
     "  glitterpath brdf eval ward --wi 0,0,1 --wo 1,0,1\n\n"
     "`glitterpath SUBCOMMAND --help` tells all of a subcommand; docs/manual.md is the manual.\n"
@@ -113,6 +114,7 @@ int run(int argumentCount, char** arguments) {
     commands.push_back(addAnimateCommand(tool));
     commands.push_back(addEvaluateCommand(tool));
     commands.push_back(addViewCommand(tool));
+    commands.push_back(addOceanCommand(tool));
     for (const Command& command : commands) {
         command.app->allow_extras();
         command.app->fallthrough(false);
@@ -125,7 +127,7 @@ int run(int argumentCount, char** arguments) {
         refuseExtras(tool, command ? command->app : nullptr);
         if (command == nullptr) {
             throw UsageError(
-                "a subcommand is missing: render, animate, evaluate, view, info, compare, "
+                "a subcommand is missing: render, animate, evaluate, view, ocean, info, compare, "
                 "make-scene or brdf");
         }
         return command->run();

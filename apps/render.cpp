@@ -30,14 +30,6 @@ constexpr const char* kExamples =
     "  glitterpath render ship.glb -o ship.png --mode local --lighting ward:alpha_x=0.3\n"
     "  glitterpath render ship.glb -o sheet.png --mode local --lighting all";
 
-double exposeAutomatically(GpDevice device, GpFrame frame, const RenderSettings& settings) {
-    std::vector<float> pixels;
-    appendColor(device, frame, settings, pixels);
-    const double ev = automaticExposureEv(pixels.data(), pixels.size() / 4);
-    check(device, gpTonemapFrame(frame, static_cast<float>(ev), settings.options.tonemap));
-    return ev;
-}
-
 int nothingSaved(const RenderSettings& settings) {
     say(settings, "interrupted before the first sample: nothing saved");
     return kExitInterrupted;

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "exposure.h"
 #include "interrupt.h"
 #include "progress_bar.h"
 
@@ -57,6 +58,14 @@ void appendColor(GpDevice device, GpFrame frame, const RenderSettings& settings,
     pixels.resize(held + 4 * count);
     check(device, gpReadFrameImage(frame, GP_IMAGE_COLOR, pixels.data() + held,
                                    4 * count * sizeof(float)));
+}
+
+double exposeAutomatically(GpDevice device, GpFrame frame, const RenderSettings& settings) {
+    std::vector<float> pixels;
+    appendColor(device, frame, settings, pixels);
+    const double ev = automaticExposureEv(pixels.data(), pixels.size() / 4);
+    check(device, gpTonemapFrame(frame, static_cast<float>(ev), settings.options.tonemap));
+    return ev;
 }
 
 }  // namespace gp::tool

@@ -22,4 +22,7 @@ bool trace(GpDevice device, GpFrame frame, GpScene scene, const GpCameraDesc& ca
 void appendColor(GpDevice device, GpFrame frame, const RenderSettings& settings,
                  std::vector<float>& pixels);
 
+// Shows the frame with the exposure of automaticExposureEv; returns it.
+double exposeAutomatically(GpDevice device, GpFrame frame, const RenderSettings& settings);
+
 }  // namespace gp::tool

@@ -62,6 +62,8 @@ void addEnvironment(GpDevice device, GpScene scene, const RenderSettings& s) {
     check(device, gpSetEnvironment(scene, &desc));
 }
 
+}  // namespace
+
 void addLight(GpDevice device, const RenderSettings& s, SceneSetup& setup) {
     const bool surrounded = !s.environmentPath.empty() || s.environmentColor;
     setup.skyAdded = !surrounded && !s.sun && isDark(device, setup.scene.get());
@@ -75,8 +77,6 @@ void addLight(GpDevice device, const RenderSettings& s, SceneSetup& setup) {
             kDefaultSunAzimuthDeg, kDefaultSunElevationDeg));
     }
 }
-
-}  // namespace
 
 void addSceneChoice(CLI::App& app, GpLoadOptions& load) {
     const std::string group = "Content of the file";

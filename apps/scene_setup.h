@@ -22,6 +22,9 @@ struct SceneSetup {
 // Loads the file and adds the light that was asked for, or a sky where there is none.
 SceneSetup setUpScene(GpDevice device, const RenderSettings& settings);
 
+// The light that was asked for, into a scene that is there; a sky where there is none.
+void addLight(GpDevice device, const RenderSettings& settings, SceneSetup& setup);
+
 // The environment or sky that setUpScene gave the scene, again: for who has set another one.
 void setUpSurroundings(GpDevice device, const SceneSetup& setup, const RenderSettings& settings);
 

@@ -18,3 +18,4 @@ endif()
 # Header-only packages without a CMake file of their own.
 find_path(GP_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 find_path(GP_XXHASH_INCLUDE xxhash.h REQUIRED)
+find_path(GP_KISSFFT_INCLUDE kissfft/kissfft.hh REQUIRED)

@@ -95,7 +95,13 @@ std::optional<double> exposureOf(GpDevice device, MovingScene& moving,
     if (settings.adapts()) {
         return 0.0;
     }
-    RenderSettings small = settings.render;
+    const GpCameraDesc camera = moving.goTo(0);
+    return exposureOf(device, moving.scene(), camera, settings.render);
+}
+
+std::optional<double> exposureOf(GpDevice device, GpScene scene, const GpCameraDesc& camera,
+                                 const RenderSettings& settings) {
+    RenderSettings small = settings;
     const double shrink = std::min(1.0, double(kExposureWidth) / small.size.width);
     small.size.width = std::max(1u, std::uint32_t(std::lround(small.size.width * shrink)));
     small.size.height = std::max(1u, std::uint32_t(std::lround(small.size.height * shrink)));
@@ -104,9 +110,8 @@ std::optional<double> exposureOf(GpDevice device, MovingScene& moving,
     small.options.timeLimit = small.options.noiseTarget = 0;
     small.options.realtime = {};
     small.quiet = true;  // no bar
-    const GpCameraDesc camera = moving.goTo(0);
     const Frame frame = newFrameFor(device, small);
-    if (!trace(device, frame.get(), moving.scene(), camera, small, {})) {
+    if (!trace(device, frame.get(), scene, camera, small, {})) {
         return std::nullopt;
     }
     std::vector<float> pixels;

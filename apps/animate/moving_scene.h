@@ -39,5 +39,8 @@ private:
 // begins. Returns none when it was interrupted.
 std::optional<double> exposureOf(GpDevice device, MovingScene& moving,
                                  const AnimateSettings& settings);
+// The rule alone, for what the camera sees of a scene as it is.
+std::optional<double> exposureOf(GpDevice device, GpScene scene, const GpCameraDesc& camera,
+                                 const RenderSettings& settings);
 
 }  // namespace gp::tool

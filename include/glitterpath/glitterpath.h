@@ -536,6 +536,95 @@ GP_API GpError gpSetCubemap(GpScene scene, const GpCubemapDesc* desc);
  * environment, and an earlier sky with its sun. */
 GP_API GpError gpSetSky(GpScene scene, float sunAzimuth, float sunElevation, float sunLux);
 
+/* ------------------------------------------------------------------------------------- ocean
+ * A sea of waves with the horizon around every camera, one for a scene. Azimuths are radians from
+ * -Z towards +X, as for gpSetSky. docs/water.md tells what is computed. */
+
+typedef enum GpOceanSpectrum {
+    GP_SPECTRUM_JONSWAP = 0,          /* young and old wind seas, by the fetch */
+    GP_SPECTRUM_TMA = 1,              /* the same in shallow water: needs a depth */
+    GP_SPECTRUM_PHILLIPS = 2,         /* that of most films and games; no fetch, no depth */
+    GP_SPECTRUM_PIERSON_MOSKOWITZ = 3 /* fully grown: no fetch */
+} GpOceanSpectrum;
+
+/* Bits of GpOceanDesc.given: "this field counts although it is zero". */
+enum {
+    GP_GIVEN_WIND = 1 << 0,
+    GP_GIVEN_CHOPPINESS = 1 << 1,
+    GP_GIVEN_ABSORPTION = 1 << 2,
+    GP_GIVEN_SCATTERING = 1 << 3,
+    GP_GIVEN_FOAM = 1 << 4,
+    GP_GIVEN_ALL_OCEAN = (1 << 5) - 1
+};
+
+/* What the smallest waves are. Anything but 0 is not there yet: GP_ERROR_UNSUPPORTED. */
+typedef enum GpOceanGlints {
+    GP_GLINTS_OFF = 0,     /* a smooth distribution of slopes */
+    GP_GLINTS_ON = 1,      /* facets that can be counted, from a dictionary */
+    GP_GLINTS_COUNTING = 2 /* the same at a fixed cost [Deliot and Belcour 2023] */
+} GpOceanGlints;
+
+/* How waves below a pixel hide one another. Anything but 0 is not there yet:
+ * GP_ERROR_UNSUPPORTED. */
+typedef enum GpOceanMasking { GP_MASKING_V_CAVITY = 0, GP_MASKING_SMITH = 1 } GpOceanMasking;
+
+typedef struct GpOceanDesc {
+    uint32_t given;        /* GP_GIVEN_ bits */
+    GpOceanSpectrum spectrum; /* GP_SPECTRUM_JONSWAP */
+    float wind;            /* m/s at 10 m above the water, 0..100; 10. 0 (given): a flat sea */
+    float windDirection;   /* azimuth that the wind blows towards */
+    float fetch;           /* metres of open water that the wind has come over, 100..1e7; 1e5 */
+    float depth;           /* metres of water, 0.1..1e4; 0 = deep */
+    float swell;           /* 0..1: how much the waves run as long parallel crests; 0 */
+    float choppiness;      /* 0..2: horizontal motion, which makes crests sharp; 1 */
+    uint32_t seed;         /* another number is another sea of the same weather */
+    uint32_t cascades;     /* bands of waves, each with maps of its own: 1..4; 0 = 3 */
+    float level;           /* y of the water at rest, metres */
+    uint32_t resolution;   /* cells around the viewer, 16..2048: the triangles of the waves that
+                              have a shape; finer ones are in the shading. 0 = 384, which makes
+                              256,000 vertices; they grow with its square */
+    float absorption[3];   /* of the water, 1/m, >= 0; (0.27, 0.065, 0.03): moderately clear sea */
+    float scattering[3];   /* backwards, 1/m, >= 0; (0.0016, 0.002, 0.003). Their ratio gives the
+                              colour that comes back from below */
+    float ior;             /* 1.01..3; 0 = 1.333 */
+    float foam;            /* 0..1: share of what waves that break make; 1 */
+    int32_t transparent;   /* 0: nothing below the surface is seen, and what the water sends back
+                              is diffuse. Not 0: rays go on into the water, which absorbs, and see
+                              what lies there; beyond it is black. Light finds things below the
+                              surface only by chance: path trace them with many samples */
+    GpOceanGlints glints;  /* GP_GLINTS_OFF */
+    float glintDensity;    /* facets a square metre of the water at rest, 1..1e12; 0 = 1e6 */
+    GpOceanMasking masking;/* GP_MASKING_V_CAVITY */
+} GpOceanDesc;
+
+/* What of the sea stands above or below a point of the plane. */
+typedef struct GpOceanSample {
+    float height;          /* y of the surface there, metres */
+    float normal[3];       /* unit length, y > 0 */
+    float foam;            /* 0..1: how much of it is covered */
+} GpOceanSample;
+
+/* desc NULL = no sea. Replaces the one before; its time is 0. Cost: milliseconds for each cascade.
+ * It is a part of the scene that every gpRender places around its camera: flat, without the
+ * curvature of the earth, out to 5,000 times the camera's height above it (at least 5 km), where
+ * it is 0.2 milliradians below the horizontal. No GpInstance stands for it, and it is not in the
+ * bounds of the scene. Frames show it as one more instance, whose motion they know. */
+GP_API GpError gpSetOcean(GpScene scene, const GpOceanDesc* desc);
+/* Where the waves are after so many seconds, -1e6..1e6: the same at the same time, whatever time
+ * was before. GP_ERROR_INVALID_OPERATION where the scene has no sea. */
+GP_API GpError gpSetOceanTime(GpScene scene, double seconds);
+/* The surface at `count` points (x, z), two floats each, at most 2^24, at the time of
+ * gpSetOceanTime: for what swims. Waves below the size of the maps' texels are not in it.
+ * GP_ERROR_INVALID_OPERATION where the scene has no sea. */
+GP_API GpError gpSampleOcean(GpScene scene, size_t count, const float* points,
+                             GpOceanSample* samples);
+/* The maps that the waves are made of, at the time of gpSetOceanTime, into a folder that is there,
+ * as EXR files of 32-bit floats: displacement_0.exr (x, y, up in metres), normal_0, foam_0 and
+ * moments_0 (of slopes) of cascade 0, ... _1 of the next. Each tiles; x is towards +X, y (the upper
+ * edge) towards -Z. docs/water.md has their channels and lengths. GP_ERROR_INVALID_OPERATION where
+ * the scene has no sea. */
+GP_API GpError gpSaveOceanMaps(GpScene scene, const char* folder);
+
 /* ------------------------------------------------------------------------------- scene files */
 
 typedef struct GpLoadOptions {

@@ -162,6 +162,18 @@ public:
     void setSky(float sunAzimuth, float sunElevation, float sunLux = 0) {
         check(gpSetSky(get(), sunAzimuth, sunElevation, sunLux));
     }
+    void setOcean(const GpOceanDesc& desc = {}) { check(gpSetOcean(get(), &desc)); }
+    void removeOcean() { check(gpSetOcean(get(), nullptr)); }
+    void setOceanTime(double seconds) { check(gpSetOceanTime(get(), seconds)); }
+    GpOceanSample sampleOcean(float x, float z) const {
+        const float point[2] = {x, z};
+        GpOceanSample result{};
+        check(gpSampleOcean(get(), 1, point, &result));
+        return result;
+    }
+    void saveOceanMaps(const std::string& folder) const {
+        check(gpSaveOceanMaps(get(), folder.c_str()));
+    }
     GpSceneInfo info() const {
         GpSceneInfo result{};
         check(gpGetSceneInfo(get(), &result));

@@ -160,7 +160,7 @@ GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
         const auto replacement = resolve(*s.device, material, "material")->material;
         uint32_t count = 0;
         for (auto& instance : s.scene.instances) {
-            if (name && instance->surface().name != name) continue;
+            if (instance->ofSea || (name && instance->surface().name != name)) continue;
             instance->material = replacement;
             ++count;
         }

@@ -7,6 +7,7 @@
 #include "api/realtime.h"
 #include "api/scenes.h"
 #include "frame/render.h"
+#include "scene/sea.h"
 #include "scene/sky.h"
 
 namespace gp::api {
@@ -179,8 +180,12 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 // Brings the backend's scene up to date; returns the seconds that it took.
-double build(SceneObject& scene) {
+double build(SceneObject& scene, const FramePlan& plan) {
     const auto start = std::chrono::steady_clock::now();
+    // The sea is where the camera is, and has its motion from the frame before in real time.
+    const auto& sea = scene.scene.sea;
+    if (sea && sea->place(plan.camera, plan.mode == FrameMode::realtime))
+        ++scene.scene.seaPlacement;
     if (!scene.backendScene) scene.backendScene = scene.device->backend->newScene();
     try {
         scene.backendScene->update(scene.scene);
@@ -257,14 +262,14 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         // Another scene may have the same ids for other things.
         realtime.resetHistory |= frame.scene.lock() != scene;
         frame.scene = scene;
-        frame.statistics.secondsBuild = build(*scene);
+        frame.statistics.secondsBuild = build(*scene, plan);
         const RealtimeResult result = renderRealtime(frame, *scene, realtime);
         frame.camera = plan.camera;
         useUpDraws(frame);
         if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
         return;
     }
-    const double secondsBuild = build(*scene);
+    const double secondsBuild = build(*scene, plan);
     if (frame.scene.lock() != scene) frame.sky.forget();
     RenderResult result;
     try {

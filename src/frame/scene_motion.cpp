@@ -5,6 +5,10 @@ namespace gp {
 const glm::vec3* SceneMotion::positionsOf(const Snapshot& past, const Mesh& mesh) const {
     if (past.mesh.get() == &mesh) {
         if (past.revision == mesh.revision) return mesh.positions.data();
+        if (mesh.wanders) {
+            const bool known = !mesh.before.empty() && past.revision == mesh.beforeRevision;
+            return known ? mesh.before.data() : nullptr;
+        }
         // Other vertices since then: the copy, if the triangles still mean the same corners.
         const auto found = vertices_.find(&mesh);
         const bool same = past.topology == mesh.topologyRevision && found != vertices_.end() &&
@@ -124,7 +128,7 @@ void SceneMotion::remember(const Scene& scene, const LightTable& lights) {
                          mesh.topologyRevision});
         if (instance->id != 0) byId_[instance->id] = i;
         else byObject_[instance.get()] = i;
-        if (mesh.kind != MeshKind::dynamic) continue;
+        if (mesh.kind != MeshKind::dynamic || mesh.wanders) continue;
         Vertices& kept = vertices_[&mesh];
         kept.used = true;
         if (kept.revision == mesh.revision && !kept.positions.empty()) continue;

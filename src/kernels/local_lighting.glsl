@@ -74,7 +74,8 @@ LocalLight light_of(IN(LocalPoint) at) {
                          : bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
         sum.direct += f_cos * lamp.radiance;
     }
-    sum.ambient = bsdf_albedo(at.shading.bsdf, abs(wo_local.z)) * local.ambient;
+    sum.ambient = bsdf_albedo(at.shading.bsdf, abs(dot(shown_normal(at.shading), at.wo))) *
+                  local.ambient;
     return sum;
 }
 
@@ -87,7 +88,7 @@ MaterialRecord local_material(IN(MaterialRecord) m) {
         shown.textures &= ~(SLOT_NORMAL | SLOT_COAT_NORMAL);
     }
     if (local.replaces_materials != 0u) {
-        shown.flags &= ~(MATERIAL_SOLID | MATERIAL_TRANSMISSIVE);
+        shown.flags &= ~(MATERIAL_SOLID | MATERIAL_TRANSMISSIVE | MATERIAL_SEA);
     }
     return shown;
 }

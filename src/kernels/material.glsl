@@ -4,6 +4,7 @@
 #define GP_KERNELS_MATERIAL_GLSL
 #include "kernels/gltf_material.glsl"
 #include "kernels/library_material.glsl"
+#include "kernels/ocean_surface.glsl"
 
 // SURFACE_ bits of what load_shading_point will use.
 uint surface_needs(IN(MaterialRecord) m, bool diffuse) {
@@ -21,6 +22,7 @@ ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, fl
     if ((m.flags & MATERIAL_EMISSIVE) != 0u) { emission = read_emission(m, s, u_lod); }
     if ((m.flags & MATERIAL_LIBRARY) != 0u) {
         if (diffuse) { base = library_params(m, s, base, u_lod).base_color; }
+        else if ((m.flags & MATERIAL_SEA) != 0u) { return ocean_point(m, s, wo); }
         else { return library_point(m, s, wo, base, emission, u_lod); }
     }
     if (diffuse) { return diffuse_point(m, s, wo, base, emission); }

@@ -7,13 +7,13 @@
 #ifndef GP_KERNELS_PATH_GLSL
 #define GP_KERNELS_PATH_GLSL
 #include "kernels/environment.glsl"
+#include "kernels/leaving_ray.glsl"
 #include "kernels/light_choice.glsl"
 #include "kernels/material.glsl"
 #include "kernels/sky.glsl"
 #include "kernels/surface.glsl"
 #include "shading/colour.glsl"
 #include "shading/medium.glsl"
-#include "shading/ray_offset.glsl"
 #include "shading/sampling/mis.glsl"
 #include "shading/sampling/sampler.glsl"
 
@@ -67,7 +67,6 @@ struct PathState {
 #define DRAW_BSDF 2u
 #define DRAW_OTHERS 3u     // level of detail, roulette
 
-#define SHADOW_MARGIN 1.0e-4f     // of a shadow ray's length: it must not meet the light itself
 #define ROULETTE_DEPTH 2u         // surfaces that are never cut off
 #define ROULETTE_SURVIVAL 0.95f   // at most
 
@@ -135,9 +134,9 @@ PathGuides guides_of(IN(ShadingPoint) p, IN(Hit) hit, vec3 wo) {
     g.coverage = 1.0f;
     g.depth = hit.t;
     g.instance = hit.instance + 1u;
-    g.normal = p.frame.n;
+    g.normal = shown_normal(p);
     g.albedo = (p.flags & MATERIAL_UNLIT) != 0u ? p.bsdf.base_color
-                                                : bsdf_albedo(p.bsdf, abs(dot(p.frame.n, wo)));
+                                                : bsdf_albedo(p.bsdf, abs(dot(g.normal, wo)));
     g.roughness = sqrt(p.bsdf.alpha_y);
     g.metallic = p.bsdf.metallic;
     return g;
@@ -153,36 +152,6 @@ PathGuides no_guides() {
     g.metallic = 0.0f;
     g.instance = 0u;
     return g;
-}
-
-// Whether light turning from wo to wi stays on the side of the surface that its shading normal
-// says; a normal map or smooth shading must not make light leak through, nor back.
-bool sides_agree(IN(Surface) s, vec3 wo, vec3 wi, vec3 wo_local, vec3 wi_local) {
-    bool reflected = (wi_local.z > 0.0f) == (wo_local.z > 0.0f);
-    return reflected == ((dot(s.ng, wi) > 0.0f) == (dot(s.ng, wo) > 0.0f));
-}
-
-Ray ray_from(IN(Surface) s, vec3 direction, float t_max) {
-    Ray ray;
-    ray.origin = offset_ray_origin(s.position, dot(s.ng, direction) > 0.0f ? s.ng : -s.ng);
-    ray.direction = direction;
-    ray.t_min = 0.0f;
-    ray.t_max = min(t_max, load_frame().ray_length);
-    return ray;
-}
-
-// To the chosen point of a light. It is aimed anew from the moved origin: where the light is seen
-// edge-on, the old direction would meet it far before that point, and the light would shadow
-// itself.
-Ray shadow_ray(IN(Surface) s, IN(LightSample) light) {
-    Ray ray = ray_from(s, light.wi, light.distance);
-    if (light.distance < FLOAT_MAX) {
-        vec3 to_light = s.position + light.wi * light.distance - ray.origin;
-        float distance = length(to_light);
-        ray.direction = to_light / max(distance, 1.0e-30f);
-        ray.t_max = distance * (1.0f - SHADOW_MARGIN);
-    }
-    return ray;
 }
 
 // Light that a shadow ray brought to a surface: what the surface does with it is f_cos.
@@ -205,7 +174,7 @@ ShadowedLight shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) 
     arrived.f_cos = vec3(0.0f);
     if (light.pdf <= 0.0f) { return arrived; }
     arrived.wi_local = local_from_world(p.frame, light.wi);
-    if (!sides_agree(s, wo, light.wi, wo_local, arrived.wi_local)) { return arrived; }
+    if (!sides_agree(s, p, wo, light.wi, wo_local, arrived.wi_local)) { return arrived; }
     BsdfValue value = bsdf_eval(p.bsdf, wo_local, arrived.wi_local);
     vec3 radiance = chosen_light_radiance(choice);
     float strongest = max_component(value.f_cos * radiance);
@@ -213,10 +182,10 @@ ShadowedLight shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) 
     arrived.f_cos = value.f_cos;
     float density = choice.pmf * light.pdf;
     float w = light.is_delta != 0u || !weigh ? 1.0f : mis_power(density, value.pdf);
-    float visible = trace_visible(shadow_ray(s, light));
+    float visible = trace_visible(shadow_ray(s, p, wo, light));
     note_shadow_ray(light_group(choice.light), strongest / density, visible);
     // What surrounds the surface absorbs; infinitely far light is never inside of a body.
-    bool reflected = (arrived.wi_local.z > 0.0f) == (wo_local.z > 0.0f);
+    bool reflected = same_side(p.bsdf, wo_local, arrived.wi_local);
     if (reflected && attenuation != vec3(0.0f) && light.distance < FLOAT_MAX) {
         radiance *= medium_transmittance(attenuation, light.distance);
     }
@@ -277,10 +246,16 @@ void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(Pat
     path.ended = 1u;
     if (!(b.pdf > 0.0f) || !(max_component(b.weight) > 0.0f)) { return; }
     vec3 wi = world_from_local(p.frame, b.wi);
-    if (!sides_agree(s, -path.ray.direction, wi, wo_local, b.wi)) { return; }
+    vec3 wo = -path.ray.direction;
+    if (!sides_agree(s, p, wo, wi, wo_local, b.wi)) { return; }
     path.throughput *= b.weight;
+    // Below deep water nothing is seen: what comes back from there is its albedo.
+    if ((b.lobe & LOBE_TRANSMISSION) != 0u && (p.flags & MATERIAL_SEA) != 0u &&
+        (p.flags & MATERIAL_SOLID) == 0u) {
+        return;
+    }
     if ((b.lobe & LOBE_TRANSMISSION) != 0u && p.bsdf.thin == 0u) {
-        bool entering = wo_local.z > 0.0f;
+        bool entering = side_of(p.bsdf, wo_local) > 0.0f;
         path.attenuation = entering ? p.attenuation : vec3(0.0f);
         float eta = entering ? p.bsdf.ior : 1.0f / p.bsdf.ior;
         path.eta_scale *= eta * eta;
@@ -296,7 +271,7 @@ void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(Pat
     path.from.pdf = bsdf_is_specular(p.bsdf) ? 0.0f : b.pdf;
     path.cone =
         ray_cone_bounce(path.cone, (b.lobe & LOBE_DIFFUSE) != 0u ? 1.0f : p.bsdf.alpha_x);
-    path.ray = ray_from(s, wi, FLOAT_MAX);
+    path.ray = ray_from(s, leaving_side(s, p, wo, wi), wi, FLOAT_MAX);
     path.depth += 1u;
     path.ended = 0u;
     environment_expect_light(wi);
@@ -331,7 +306,7 @@ void path_scatter(INOUT(PathState) path) {
     Surface s = load_surface(path.hit, path.ray.direction, path.cone,
                              surface_needs(material, diffuse));
     PathVertex at =
-        path_vertex(s, wo, !diffuse && (material.flags & MATERIAL_TRANSMISSIVE) != 0u);
+        path_vertex(s, wo, !diffuse && (material.flags & MATERIAL_LIT_FROM_BELOW) != 0u);
     ChosenLight light = choose_light_point(at.groups, at.position, at.normal, u_choices.x,
                                            draw_at(path.draws, path.depth, DRAW_LIGHT));
     ShadingPoint p = load_shading_point(material, s, wo, u_others.x, diffuse);
@@ -368,6 +343,10 @@ void path_expect(IN(PathState) path) {
 // From what the path's ray met to the next ray, or to the end.
 void path_continue(INOUT(PathState) path) {
     if (path.hit.instance == HIT_NOTHING) {
+        // An absorbing medium without an end lets nothing through.
+        if (path.attenuation != vec3(0.0f)) {
+            path.throughput *= medium_transmittance(path.attenuation, FLOAT_MAX);
+        }
         path_end(path, sky_light(path.from, path.ray.direction, path.cone.spread,
                                  path.depth == 0u));
         return;

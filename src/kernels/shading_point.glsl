@@ -17,18 +17,44 @@ struct ShadingPoint {
 
 #define FINEST_LEVEL -1000.0f  // a Surface::lod that reads level 0 of any texture
 
+// Where a slot reads, and how that changes with texture coordinates.
+vec2 slot_position(IN(TextureSlot) slot, IN(Surface) s) {
+    vec2 uv = slot.tex_coord == 0u ? s.uv0 : s.uv1;
+    return vec2(slot.row_u.x * uv.x + slot.row_u.y * uv.y + slot.row_u.z,
+                slot.row_v.x * uv.x + slot.row_v.y * uv.y + slot.row_v.z);
+}
+
+vec2 slot_change(IN(TextureSlot) slot, vec2 d) {
+    return vec2(slot.row_u.x * d.x + slot.row_u.y * d.y, slot.row_v.x * d.x + slot.row_v.y * d.y);
+}
+
 // u_lod in [0, 1) chooses between the two nearest levels of detail: one look-up, linear on average.
 vec4 read_slot(IN(TextureSlot) slot, IN(Surface) s, float u_lod) {
-    vec2 uv = slot.tex_coord == 0u ? s.uv0 : s.uv1;
-    vec2 moved = vec2(slot.row_u.x * uv.x + slot.row_u.y * uv.y + slot.row_u.z,
-                      slot.row_v.x * uv.x + slot.row_v.y * uv.y + slot.row_v.z);
-    return sample_texture(slot.texture_index, moved, s.lod, u_lod);
+    return sample_texture(slot.texture_index, slot_position(slot, s), s.lod, u_lod);
 }
 
 // A tangent-space normal from a map, its slope scaled.
 vec3 read_normal(IN(TextureSlot) slot, IN(Surface) s, float scale, float u_lod) {
     vec3 n = vec3(read_slot(slot, s, u_lod)) * 2.0f - 1.0f;
     return normalize(vec3(n.x * scale, n.y * scale, max(n.z, 1.0e-3f)));
+}
+
+// Which side of the surface w, in the material's frame, is on: above 0 the outside. Models of
+// slopes about a mean stand in the frame of the geometry, and their surface is the plane of that
+// mean; of all others it is the frame's normal that says.
+float side_of(IN(BsdfParams) m, vec3 w) {
+    return m.model == MODEL_GLINT ? slope_facing(glint_mean(m), w) : w.z;
+}
+
+// Whether light that turns from one direction to the other is reflected, not sent through.
+bool same_side(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local) {
+    return (side_of(m, wi_local) > 0.0f) == (side_of(m, wo_local) > 0.0f);
+}
+
+// The normal of that side, for pictures of it and for all who filter by it.
+vec3 shown_normal(IN(ShadingPoint) p) {
+    if (p.bsdf.model != MODEL_GLINT) { return p.frame.n; }
+    return world_from_local(p.frame, normalize(mesosurface_normal(glint_mean(p.bsdf))));
 }
 
 float frame_handedness(IN(Frame) f) {
@@ -75,7 +101,7 @@ ShadingPoint diffuse_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 ba
     p.frame = face_viewer(s, s.frame, wo, false);
     p.attenuation = vec3(0.0f);
     p.emission = emission;
-    p.flags = m.flags & ~(MATERIAL_TRANSMISSIVE | MATERIAL_SOLID);
+    p.flags = m.flags & ~(MATERIAL_TRANSMISSIVE | MATERIAL_SOLID | MATERIAL_SEA);
     return p;
 }
 

@@ -16,6 +16,13 @@
 
 namespace gp {
 
+// Area of a displaced surface, seen from above, over that at rest; below 0 it folds over. Given:
+// derivatives of the horizontal displacement, dDx/dx, dDy/dy, dDx/dy (= dDy/dx).
+template <class T>
+constexpr T oceanJacobian(T xx, T yy, T xy) {
+    return (T(1.0f) + xx) * (T(1.0f) + yy) - xy * xy;
+}
+
 // A point of one cascade, or the sum of all. Derivatives are by undisplaced x and y.
 struct OceanPoint {
     glm::vec3 displacement{0.0f};   // m: horizontal (choppiness is in it), and height
@@ -23,10 +30,7 @@ struct OceanPoint {
     glm::vec2 gradient{0.0f};       // of the height
     glm::vec3 stretch{0.0f};        // of the displacement: dDx/dx, dDy/dy, dDx/dy (= dDy/dx)
 
-    // Area of the displaced surface, seen from above, over that at rest; below 0 it folds over.
-    float jacobian() const {
-        return (1.0f + stretch.x) * (1.0f + stretch.y) - stretch.z * stretch.z;
-    }
+    float jacobian() const { return oceanJacobian(stretch.x, stretch.y, stretch.z); }
     // Slope of the displaced surface: s with J^T s = gradient. The Jacobian counts as at least
     // oceanLeastJacobian: beyond, the surface is vertical or folds over.
     glm::vec2 slope() const;
@@ -71,7 +75,7 @@ public:
 
     // Everything below as it is at that time, -1e9..1e9: the same bits however time got there and
     // on any number of threads. Runs on TBB's threads. A step ahead is cheap; a leap also computes
-    // the moments that foam remembers, up to 24 of them.
+    // the moments that foam remembers, up to 16 of them.
     void setTime(double seconds);
     double time() const;
     const OceanSettings& settings() const;

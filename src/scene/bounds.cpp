@@ -23,8 +23,12 @@ Bounds merged(Bounds a, const Bounds& b) {
     return a;
 }
 
+bool hasNoBounds(const Instance& instance) {
+    return instance.visibility == visibleToSky || instance.ofSea;
+}
+
 Bounds exactBounds(const Instance& instance, Bounds b) {
-    if (instance.visibility == visibleToSky) return b;
+    if (hasNoBounds(instance)) return b;
     const Mesh& mesh = *instance.mesh;
     for (size_t v = 0; v < mesh.vertexCount(); ++v)
         add(b, instance.worldFromObject * glm::vec4(mesh.positions[v], 1));
@@ -35,7 +39,7 @@ Bounds boxBounds(const Scene& scene) {
     std::unordered_map<const Mesh*, Bounds> boxes;
     Bounds all;
     for (const auto& instance : scene.instances) {
-        if (instance->visibility == visibleToSky) continue;
+        if (hasNoBounds(*instance)) continue;
         const auto [it, isNew] = boxes.try_emplace(instance->mesh.get());
         if (isNew)
             for (size_t v = 0; v < instance->mesh->vertexCount(); ++v)

@@ -135,9 +135,13 @@ private:
 
 }  // namespace
 
-glm::uvec2 glintDictionary() {
+const std::vector<float>& glintWords() {
     static const std::vector<float> words = DictionaryMaker().make();
-    const auto address = uint64_t(reinterpret_cast<uintptr_t>(words.data()));
+    return words;
+}
+
+glm::uvec2 glintDictionary() {
+    const auto address = uint64_t(reinterpret_cast<uintptr_t>(glintWords().data()));
     return {uint32_t(address), uint32_t(address >> 32u)};
 }
 

@@ -1,13 +1,18 @@
 // The dictionary of glints in the form in which shading/glint reads it.
 #pragma once
 
+#include <vector>
+
 #include <glm/glm.hpp>
 
 namespace gp {
 
-// What Glint::dictionary wants: the address of the table, valid until the program ends. The first
-// call makes it, GLINT_WORDS floats (1.6 MB) in some hundredths of a second on all cores; the same
-// numbers every time. Thread-safe. Throws std::bad_alloc.
+// GLINT_WORDS floats, as shading/glint/dictionary.glsl lays them out. The first call makes them, in
+// some hundredths of a second on all cores; the same numbers every time. They live until the
+// program ends. Thread-safe. Throws std::bad_alloc.
+const std::vector<float>& glintWords();
+
+// Their address, what Glint::dictionary wants.
 glm::uvec2 glintDictionary();
 
 }  // namespace gp

@@ -24,6 +24,10 @@ struct MaterialLayer {
     uint32_t channel = 0;              // of the mask
 };
 
+// Whether a material is that of the sea, which the renderer gives its waves; deep: nothing is seen
+// below it.
+enum class SeaWater : uint8_t { none, deep, clear };
+
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
 // How a texture layer meets the colour below it (kernels/texture_layers.glsl).
@@ -94,6 +98,8 @@ struct Material {
     // fields above only base colour (a factor of the model's own), normal map, emission, alpha,
     // attenuation and the anisotropy's rotation (of the tangent) count.
     std::vector<MaterialLayer> layers;
+
+    SeaWater sea = SeaWater::none;
 
     std::vector<TextureLayer> textureLayers;  // over base colour times its texture, at most 2
 

@@ -58,6 +58,12 @@ struct Mesh {
     uint64_t revision = 0;             // grows each time the vertices change,
     uint64_t topologyRevision = 0;     // this one when the triangles join other vertices too
 
+    // Of the sea, which goes with the viewer: a vertex is another point of it at each revision.
+    // `before` is where the points of now were at `beforeRevision`; empty: nobody asked.
+    bool wanders = false;
+    std::vector<glm::vec3> before;
+    uint64_t beforeRevision = 0;
+
     // Of updatable meshes: the vertex that was given of which each is a copy (empty: itself), how
     // many were given, and how tangents were made of the coordinates.
     std::vector<uint32_t> givenVertex;

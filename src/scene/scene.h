@@ -29,6 +29,7 @@ struct Instance {
     glm::mat4x3 worldFromObject{1};
     uint32_t visibility = visibleToCamera | visibleToBounce | visibleToShadow;
     glm::vec4 color{1};                        // multiplies base colour and alpha, linear, 0..1
+    bool ofSea = false;                        // Sea's: in no bounds, and nobody's to change
 
     // What was given, which may be animated, and what shows of it.
     const std::shared_ptr<const Material>& given() const {
@@ -41,6 +42,8 @@ struct Instance {
     }
 };
 
+class Sea;
+
 struct Scene {
     std::vector<std::shared_ptr<Instance>> instances;
     std::vector<std::shared_ptr<Light>> lights;
@@ -48,6 +51,8 @@ struct Scene {
     std::vector<Camera> cameras;      // what files bring; a frame names its own
     glm::vec3 worldUp{0, 1, 0};
     uint64_t revision = 0;            // grows with every change, so that backends know
+    std::shared_ptr<Sea> sea;         // null: none; its instance is among the instances
+    uint64_t seaPlacement = 0;        // grows where another camera moved the sea's triangles
 
     // What a person asks about: where it came from and what was used of it.
     std::vector<std::string> sources;

@@ -31,8 +31,12 @@ struct Hit {
 #define MATERIAL_NEEDS_UV 512u   // vertex colours or tangents, although no texture is there
 #define MATERIAL_LAYERED 64u     // any of specular textures, coat, sheen, transmission, iridescence
 #define MATERIAL_LIBRARY 2048u   // a model of the library, not the glTF one: MaterialRecord::bsdf
+#define MATERIAL_SEA 65536u      // … with the waves of the scene's sea: kernels/ocean_surface.glsl
 #define MATERIAL_PREPARE 4096u   // … whose parameters are prepared at each point: they vary
 #define MATERIAL_GLINT 8192u     // … which is MODEL_GLINT: it is told the pixel's footprint
+
+// Light from behind the triangle counts: it shines through, or on slopes that the triangle lacks.
+#define MATERIAL_LIT_FROM_BELOW (MATERIAL_TRANSMISSIVE | MATERIAL_SEA)
 
 // Bits of MaterialRecord::textures: which slots hold a texture.
 #define SLOT_BASE_COLOR 1u
@@ -65,7 +69,7 @@ struct TextureSlot {
     vec4 row_v;
     uint texture_index;
     uint tex_coord;  // 0 or 1
-    uint pad0;
+    uint slope_map;  // of a normal map that is read as slopes: for load_slope_map; else NO_INDEX
     uint pad1;
 };
 
@@ -195,6 +199,15 @@ struct LightRecord {
     uint instance;   // triangle
     uint primitive;
     uint leaf;       // in the light tree: its place in its node, as LightTreeNode::parent
+};
+
+// The waves within a footprint (gp::Sea::slopes), of slopes as in shading/slope/slopes.glsl.
+struct SeaSlopes {
+    vec2 mean;
+    float var_x;
+    float var_y;
+    float cov;
+    float foam;      // share of the footprint that is covered
 };
 
 // A node of the light tree: what bounds each of its children in position, power and direction

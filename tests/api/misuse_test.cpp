@@ -19,7 +19,7 @@ const Rows& allRows() {
         for (const Rows& some :
              {deviceRows(), textureRows(), materialRows(), meshRows(), instanceRows(), sceneRows(),
               lightRows(), environmentRows(), cameraRows(), frameRows(), renderRows(), imageRows(),
-               bsdfRows(), drawRows(), immediateRows(), changeRows()})
+               bsdfRows(), drawRows(), immediateRows(), changeRows(), oceanRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

@@ -128,5 +128,6 @@ Rows bsdfRows();
 Rows drawRows();
 Rows immediateRows();
 Rows changeRows();
+Rows oceanRows();
 
 }  // namespace gp::test

@@ -13,6 +13,7 @@
 
 #include "shading/glsl_compiler.h"
 #include "shading/vulkan_compute.h"
+#include "scene/glint_dictionary.h"
 #include "statistics/measured_example.h"
 #include "statistics/random.h"
 
@@ -31,6 +32,7 @@ uint32_t readUint(int index) {
 }
 
 glm::uvec2 tableAddress() { return measuredExample()->address(); }
+glm::uvec2 glintAddress() { return glintDictionary(); }
 
 void writeUint(int index, uint32_t value) {
     if (index < 0 || uint32_t(index) >= maxOutputs) {
@@ -153,6 +155,7 @@ std::string glslOf(const DifferentialTable& table) {
             "vec3 in_v3(int k) { return vec3(in_f(k), in_f(k + 1), in_f(k + 2)); }\n"
             "vec4 in_v4(int k) { return vec4(in_v3(k), in_f(k + 3)); }\n"
             "uvec2 in_table() { return uvec2(diff_push.table_low, diff_push.table_high); }\n"
+            "uvec2 in_glints() { return in_table(); }\n"
             "void put_u(int k, uint v) { diff_out.words[gl_GlobalInvocationID.x * "
             "diff_push.out_stride + uint(k)] = v; }\n"
             "void put_f(int k, float v) { put_u(k, floatBitsToUint(v)); }\n"
@@ -304,6 +307,9 @@ TEST_P(Differential, CppEqualsVulkan) {
         job.count = inputCount();
         if (std::strstr(table.rows[i].body, "in_table()") != nullptr) {
             job.table = measuredExample()->words;
+        }
+        if (std::strstr(table.rows[i].body, "in_glints()") != nullptr) {
+            job.table = glintWords();
         }
         compareRow(table.rows[i], run, vulkan->run(job), job.count);
     }

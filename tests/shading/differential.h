@@ -54,6 +54,7 @@ extern EvaluationWords evaluation;
 
 float readFloat(int index);
 uint32_t readUint(int index);
+glm::uvec2 glintAddress();  // of scene/glint_dictionary.h, likewise
 glm::uvec2 tableAddress();  // of statistics/measured_example.h; the shader has a copy of it
 void writeUint(int index, uint32_t value);
 void writeFloats(int index, const float* values, int count);

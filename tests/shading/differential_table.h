@@ -12,6 +12,7 @@ vec2 in_v2(int k) { return vec2(in_f(k), in_f(k + 1)); }
 vec3 in_v3(int k) { return vec3(in_f(k), in_f(k + 1), in_f(k + 2)); }
 vec4 in_v4(int k) { return vec4(in_f(k), in_f(k + 1), in_f(k + 2), in_f(k + 3)); }
 uvec2 in_table() { return gp::test::tableAddress(); }
+uvec2 in_glints() { return gp::test::glintAddress(); }
 void put_u(int k, uint v) { gp::test::writeUint(k, v); }
 void put_f(int k, float v) { gp::test::writeFloats(k, &v, 1); }
 void put_v2(int k, vec2 v) { gp::test::writeFloats(k, &v.x, 2); }

@@ -33,6 +33,7 @@ layout(binding = 16) uniform sampler2D background_image;
 layout(std430, binding = 17) readonly buffer SkyBuffer { uint sky_triangles; };
 layout(std430, binding = 18) readonly buffer SlopeMapBuffer { SlopeMapSize slope_maps[]; };
 layout(std430, binding = 19) readonly buffer SlopeBuffer { SlopeTexel slope_texels[]; };
+layout(std430, binding = 20) readonly buffer SeaBuffer { SeaSlopes sea_texels[]; };
 
 FrameConstants load_frame() { return frame_constants; }
 LocalLightingConstants load_local_lighting() { return local_lighting_constants; }
@@ -81,6 +82,13 @@ Slopes load_slopes(uint map, int level, int x, int y) {
     }
     return slope_texel_decode(
         slope_texels[first + wrapped_texel(y, h, 0u) * w + wrapped_texel(x, w, 0u)]);
+}
+
+// Of a sea that is the same over every metre, and all footprints.
+SeaSlopes sample_sea(vec2 rest, vec2 d0, vec2 d1) {
+    vec2 size = abs(d0) + abs(d1);
+    return sea_texels[int(fract(rest.x) * 16.0f) + 16 * int(fract(rest.y) * 16.0f) +
+                      (size.x + size.y > 1.0f ? 256 : 0)];
 }
 
 vec3 load_environment(vec2 uv) { return vec3(textureLod(environment_image, uv, 0.0f)); }

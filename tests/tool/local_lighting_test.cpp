@@ -55,6 +55,10 @@ TEST(LocalMode, EveryOptionChangesThePicture) {
         {"--lighting", "phong", "--falloff", "inverse"},
         {"--lighting", "phong", "--falloff", "none"},
         {"--lighting", "phong", "--ambient", "0.5,0.5,0"},
+        {"--lighting", "ggx_conductor:alpha_x=0.05,alpha_y=0.02"},
+        {"--lighting", "ggx_conductor:alpha_x=0.05,alpha_y=0.02", "--ndf-filter", "kaplanyan"},
+        {"--lighting", "ggx_conductor:alpha_x=0.05,alpha_y=0.02", "--ndf-filter", "tokuyoshi"},
+        {"--lighting", "ggx_conductor:alpha_x=0.05,alpha_y=0.02", "--ndf-filter", "deferred"},
         {"--env-color", "0.5,0.5,0.5"},
         {"--shading", "diffuse"}};
     std::vector<std::string> files;

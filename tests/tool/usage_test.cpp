@@ -30,7 +30,7 @@ void expectRefused(const WrongLine& wrong) {
 
 TEST(Help, ExistsForTheToolAndEachSubcommandWithExamples) {
     for (const char* command : {"", "render", "info", "compare", "make-scene", "brdf", "animate",
-                                "evaluate", "view"}) {
+                                "evaluate", "view", "ocean"}) {
         std::vector<std::string> arguments;
         if (*command != '\0') {
             arguments.emplace_back(command);

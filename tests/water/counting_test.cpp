@@ -1,5 +1,5 @@
-// Glints by counting, and Zirr and Kaplanyan's for comparison: the binomial's mean and variance, whatever the footprint; no jumps between
-// its grids; symmetry; any input.
+// Glints by counting, and Zirr and Kaplanyan's for comparison: the binomial's mean and variance,
+// whatever the footprint; no jumps between its grids; symmetry; any input.
 #include "shading/lang.h"
 
 GP_SHADING_BEGIN

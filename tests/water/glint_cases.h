@@ -11,6 +11,7 @@
 
 GP_SHADING_BEGIN
 #include "shading/glint/glint.glsl"
+#include "shading/slope/sheared_cavity.glsl"
 GP_SHADING_END
 
 namespace gp::test {
@@ -71,7 +72,7 @@ inline std::vector<NamedGlint> glintCases() {
 // deviations, out to where the corners of the dictionary's squares reach.
 template <class F>
 double slopeIntegral(const shading::Glint& g, int perDeviation, F f) {
-    const shading::Whitening w = shading::whitening_of(shading::glint_slopes(g));
+    const shading::Whitening w = shading::whitening_of(shading::glint_slopes_within(g));
     const int reach = int(5.7 * perDeviation) + 1;
     double sum = 0.0;
     for (int y = -reach; y <= reach; ++y) {

@@ -25,7 +25,7 @@ struct Moments {
 // Over places of the surface, at slopes `radius` standard deviations from the mean.
 Moments momentsAt(Glint g, float radius, int count) {
     Random random(11);
-    const Slopes d = glint_slopes(g);
+    const Slopes d = glint_slopes_within(g);
     const Whitening w = whitening_of(d);
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < count; ++i) {
@@ -122,6 +122,24 @@ TEST(Glint, SymmetricAboutTheMean) {
     }
 }
 
+// What the masking function lets through of the facets is what the mesosurface shows, for single
+// glints as for the mean: they are symmetric. The sum is over pairs, so that it is as exact as P22.
+TEST(Glint, VisibleAreaIsThatOfTheMesosurface) {
+    for (const NamedGlint& c : glintCases()) {
+        for (const float degrees : {0.0f, 40.0f, 70.0f, 85.0f}) {
+            const float theta = degrees / 57.29578f;
+            const vec3 w(-0.8f * std::sin(theta), 0.6f * std::sin(theta), std::cos(theta));
+            const vec2 mean = c.glint.slopes.mean;
+            const float facing = slope_facing(mean, w);
+            const double visible = slopeIntegral(c.glint, 12, [&](vec2 s) {
+                return sheared_cavity_g1(mean, s, w) * std::max(slope_facing(s, w), 0.0f);
+            });
+            const double all = slopeIntegral(c.glint, 12, [](vec2) { return 1.0f; });
+            EXPECT_NEAR(visible / (double(facing) * all), 1.0, 1e-3) << c.name << ' ' << degrees;
+        }
+    }
+}
+
 // A kernel spreads the glints out: as much light, less contrast. Without it they keep theirs.
 TEST(Glint, KernelTakesContrastAway) {
     Glint g = exampleGlint();
@@ -135,6 +153,55 @@ TEST(Glint, KernelTakesContrastAway) {
     g.k0 = {2.0f, 0.0f};
     g.k1 = {0.0f, 2.0f};
     EXPECT_LT(momentsAt(g, 0.5f, 1000).deviation, 1e-3 + 0.005);
+}
+
+// A cell has its entries and its axes in common with the one at its lower left corner on every
+// level below.
+TEST(Glint, CellsOfAllLevelsShareTheirNumbers) {
+    Random random(21);
+    GlintLevel high{}, low{};
+    high.facets = low.facets = 3.0f;
+    high.occupied = low.occupied = high.share = low.share = 1.0f;
+    high.seed = low.seed = 77u;
+    for (int i = 0; i < 1000; ++i) {
+        high.shift = 1u + random.next() % 12u;
+        low.shift = random.next() % high.shift;
+        const int x = int(random.next() % 2001u) - 1000, y = int(random.next() % 2001u) - 1000;
+        const int times = 1 << (high.shift - low.shift);
+        const GlintCell a = glint_cell(high, x, y), b = glint_cell(low, x * times, y * times);
+        EXPECT_EQ(a.row_x, b.row_x);
+        EXPECT_EQ(a.row_y, b.row_y);
+        EXPECT_EQ(a.turn.s, b.turn.s);
+        EXPECT_NE(a.turn.s, glint_cell(high, x + 1, y).turn.s);
+    }
+}
+
+// What carries no facets reflects as the smooth surface: a share of every pixel where cells hold
+// several facets, whole cells where they hold less than one.
+TEST(Glint, TheRestOfTheAreaIsSmooth) {
+    Random random(8);
+    Glint g = exampleGlint();
+    g.area = 0.3f;
+    g.log_density = std::log(1e9f);
+    const vec2 s = g.slopes.mean + vec2(0.1f, 0.1f);
+    const float gaussian = slopes_p22(g.slopes, s);
+    float least = 1e9f;
+    for (int i = 0; i < 5000; ++i) {
+        moveGlint(g, random);
+        least = std::min(least, glint_p22(g, s) / gaussian);
+    }
+    EXPECT_GT(least, 0.6999f);
+    EXPECT_LT(least, 0.8f);
+    g.area = 0.01f;
+    g.log_density = std::log(1e6f);
+    int untouched = 0;
+    for (int i = 0; i < 5000; ++i) {
+        moveGlint(g, random);
+        untouched += std::abs(glint_p22(g, s) / gaussian - 1.0f) < 1e-6f ? 1 : 0;
+    }
+    // 5 to 15 cells under a footprint, one of a hundred with facets.
+    EXPECT_GT(untouched, 4000);
+    EXPECT_LT(untouched, 4900);
 }
 
 // Half of the footprint's width away, most of the cells are the same ones; the same holds for

@@ -102,6 +102,10 @@ TEST(NdfFiltering, KernelsAreBounded) {
     EXPECT_LT(wide.cov * wide.cov, wide.var_x * wide.var_y);
 }
 
+// The same functions with the other's derivatives: one width for each light, and a covariance that
+// serves all lights.
+constexpr uint forwardIsotropic = 16, deferredAnisotropic = 17;
+
 // A unit sphere seen from above by parallel rays, with pixels of a width; a light far away. Along
 // the sphere's normals the frame turns without twisting, as in the frame of frame_from_normal.
 struct Sphere {
@@ -153,11 +157,18 @@ struct Sphere {
             const float wide = std::sqrt(ndf_deferred(a2, dn[0], dn[1]));
             return double(d(h, wide, wide));
         }
+        if (method == forwardIsotropic) {
+            const float wide = std::sqrt(ndf_deferred(a2, dh[0], dh[1]));
+            return double(d(h, wide, wide));
+        }
+        if (method == deferredAnisotropic) {
+            dh[0] = local_from_world(f, dn[0]), dh[1] = local_from_world(f, dn[1]);
+        }
         if (method == NDF_FILTER_KAPLANYAN) {
             const vec2 wide = sqrt(ndf_kaplanyan(vec2(a2), h, dh[0], dh[1]));
             return double(d(h, wide.x, wide.y));
         }
-        if (method == NDF_FILTER_TOKUYOSHI) {
+        if (method == NDF_FILTER_TOKUYOSHI || method == deferredAnisotropic) {
             const PrincipalWidths w = principal_widths(
                 ndf_tokuyoshi(vec3(a2, a2, 0.0f), dh[0], dh[1]));
             const vec3 turned(dot(vec2(h.x, h.y), w.axis), h.y * w.axis.x - h.x * w.axis.y, h.z);
@@ -212,6 +223,9 @@ TEST(NdfFiltering, IsNearTheMeanOverPixels) {
                 << elevation;
             EXPECT_LT(errorOf(sphere, 0.04, NDF_FILTER_KAPLANYAN), 0.88 * none) << elevation;
             EXPECT_LT(errorOf(sphere, 0.04, NDF_FILTER_DEFERRED), 1.05 * none) << elevation;
+            EXPECT_LT(errorOf(sphere, 0.04, forwardIsotropic), 1.05 * none) << elevation;
+            EXPECT_LT(errorOf(sphere, 0.04, deferredAnisotropic), beckmann ? 0.03 : 0.37)
+                << elevation;
         }
     }
 }

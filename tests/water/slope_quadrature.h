@@ -11,8 +11,6 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include "shading/lang.h"
 
 GP_SHADING_BEGIN

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for_each.h>
 
+#include "scene/sea.h"
 #include "shading/shading.h"
 
 namespace gp::cpu {
@@ -15,10 +16,10 @@ using namespace gp::shared;
 static_assert(sizeof(ShadingVertex) == 16, "isa/kernels.h reads it as PackedVertex");
 
 void CpuScene::update(const Scene& scene) {
-    if (built_ && revision_ == scene.revision) return;
+    if (built_ && revision_ == scene.revision && seaPlacement_ == scene.seaPlacement) return;
     arena_.execute([&] { rebuild(scene); });
     if (rtcGetDeviceError(device_) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-    revision_ = scene.revision;
+    revision_ = scene.revision, seaPlacement_ = scene.seaPlacement;
     built_ = true;
 }
 
@@ -214,6 +215,11 @@ void showEnvironment(SceneView& view, const EnvironmentTable* t, glm::vec3 color
                             t->height, t->side, t->texelScale, t->densityScale};
 }
 
+static SeaSlopes seaSlopes(const Sea& sea, glm::vec2 rest, glm::vec2 d0, glm::vec2 d1) {
+    const OceanSlopes s = sea.slopes(rest, d0, d1);
+    return {s.mean, s.varX, s.varY, s.cov, s.foam};
+}
+
 void CpuScene::fillView(const Scene& scene) {
     view_ = {};
     view_.scene = top_.get();
@@ -233,6 +239,8 @@ void CpuScene::fillView(const Scene& scene) {
     const Environment& e = scene.environment;
     view_.environmentCos = std::cos(e.rotation), view_.environmentSin = std::sin(e.rotation);
     showEnvironment(view_, e.table.get(), e.color);
+    sea_ = scene.sea;
+    view_.sea = sea_.get(), view_.seaSlopes = seaSlopes;
     view_.background = view_.environment, view_.backgroundColor = view_.environmentColor;
     environment_ = e.table;
 }

@@ -61,7 +61,7 @@ private:
     const IsaKernels& kernels_;
     const std::atomic<int64_t>& embreeBytes_;
     tbb::task_arena& arena_;  // builds use its threads
-    uint64_t revision_ = 0;
+    uint64_t revision_ = 0, seaPlacement_ = 0;
     bool built_ = false;
 
     std::unordered_map<const Mesh*, MeshStructure> meshes_;
@@ -72,6 +72,7 @@ private:
     LightTable lights_;
     std::vector<uint32_t> lightOfPrimitive_[4];  // spheres, rectangles; seen by the camera, or not
     std::shared_ptr<const EnvironmentTable> environment_;
+    std::shared_ptr<const Sea> sea_;
     SceneView view_{};
 };
 

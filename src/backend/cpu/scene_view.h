@@ -9,6 +9,7 @@
 #include "shared/scene_structs.h"
 
 namespace gp {
+class Sea;
 struct Camera;
 struct RealtimeViews;
 enum class RealtimePass : uint32_t;
@@ -27,6 +28,13 @@ struct TextureView {
     float halfLog2Texels;       // 0.5 log2(width * height)
     uint8_t isFloat, isSrgb, wrapU, wrapV;  // Wrap
     uint8_t magNearest, minNearest;
+};
+
+// An image of slope moments: gp::SlopeMap.
+struct SlopeMapView {
+    const void* levels[16];     // texels of each level, gp::PackedSlopes
+    shared::SlopeMapSize size;
+    uint8_t wrapU, wrapV;       // Wrap
 };
 
 // The vertex arrays of one mesh.
@@ -57,6 +65,7 @@ struct SceneView {
     const shared::BsdfLayerRecord* bsdfLayers;
     const shared::TextureLayerRecord* textureLayers;
     const TextureView* textures;
+    const SlopeMapView* slopeMaps;
     const shared::LightRecord* lights;        // directional ones first
     const shared::LightTreeNode* lightTree;
     const uint32_t* lightOfTriangle;          // InstanceRecord::light_map + primitive
@@ -67,6 +76,8 @@ struct SceneView {
     glm::vec3 environmentMean;                // radiance over the sphere
     float environmentCos, environmentSin;     // of its rotation
     float environmentPower;                   // luminance of the irradiance, W/m^2
+    const Sea* sea;                           // null: none
+    shared::SeaSlopes (*seaSlopes)(const Sea& sea, glm::vec2 rest, glm::vec2 d0, glm::vec2 d1);
     EnvironmentView background;               // the scene's own, as rays without weights see it
     glm::vec3 backgroundColor;
 };

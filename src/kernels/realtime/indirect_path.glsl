@@ -42,10 +42,10 @@ IndirectSegment indirect_segment(IN(PixelSurface) at, vec3 there) {
     way.wi = to / max(way.distance, 1.0e-30f);
     way.wi_local = local_from_world(at.p.frame, way.wi);
     // Not through the surface: what lies behind it may absorb.
-    bool reflected = (way.wi_local.z > 0.0f) == (at.wo_local.z > 0.0f);
+    bool reflected = same_side(at.p.bsdf, at.wo_local, way.wi_local);
     bool reached = way.distance > 0.0f && way.distance < load_frame().ray_length;
     way.exists = reached && reflected &&
-                 sides_agree(at.s, at.wo, way.wi, at.wo_local, way.wi_local) ? 1u : 0u;
+                 sides_agree(at.s, at.p, at.wo, way.wi, at.wo_local, way.wi_local) ? 1u : 0u;
     return way;
 }
 
@@ -111,7 +111,7 @@ IndirectPath indirect_path_over(IN(PixelSurface) at, IN(IndirectSegment) way,
     bool weigh = load_frame().max_bounces > 1u;
     UnshadowedLight beyond = unshadowed_light(there, light, u, weigh);
     if ((there.p.flags & MATERIAL_UNLIT) != 0u || beyond.light == vec3(0.0f)) { return path; }
-    path.beyond = shadow_ray(there.s, beyond.point);
+    path.beyond = shadow_ray(there.s, there.p, there.wo, beyond.point);
     path.all_light = beyond.f_cos * beyond.light;
     path.light = reused_share(there, beyond.f_cos,
                               diffuse_share(there, beyond.wi_local, beyond.f_cos, 1.0f)) *
@@ -136,7 +136,7 @@ float bounce_visible(IN(PixelSurface) at, IN(IndirectSegment) way) {
     LightSample end = light_sample_none();
     end.wi = way.wi;
     end.distance = way.distance;
-    return trace_visible(shadow_ray(at.s, end));
+    return trace_visible(shadow_ray(at.s, at.p, at.wo, end));
 }
 
 #endif

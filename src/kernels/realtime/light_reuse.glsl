@@ -33,7 +33,7 @@ UnshadowedLight unshadowed_light(IN(PixelSurface) at, uint light, vec2 u, bool w
     there.light = vec3(0.0f);
     if (!(c.point.pdf > 0.0f)) { return there; }
     there.wi_local = local_from_world(at.p.frame, c.point.wi);
-    if (!sides_agree(at.s, at.wo, c.point.wi, at.wo_local, there.wi_local)) { return there; }
+    if (!sides_agree(at.s, at.p, at.wo, c.point.wi, at.wo_local, there.wi_local)) { return there; }
     BsdfValue value = bsdf_eval(at.p.bsdf, at.wo_local, there.wi_local);
     float w = c.point.is_delta != 0u || !weigh ? 1.0f : mis_power(c.point.pdf, value.pdf);
     there.f_cos = value.f_cos;

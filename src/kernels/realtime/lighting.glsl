@@ -149,7 +149,7 @@ PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler dra
     sum.indirect_from = vec3(0.0f);
     sum.specular = vec3(0.0f);
     sum.specular_distance = 0.0f;
-    bool transmissive = (at.p.flags & MATERIAL_TRANSMISSIVE) != 0u;
+    bool transmissive = (at.p.flags & MATERIAL_LIT_FROM_BELOW) != 0u;
     PathVertex vertex = path_vertex(at.s, at.wo, transmissive);
     vertex.groups = light_groups_apart(vertex.groups);
     bool reuse = load_realtime().light_reuse != LIGHT_REUSE_NONE;

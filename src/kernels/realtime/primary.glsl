@@ -62,7 +62,7 @@ struct PixelAlbedo {
 };
 
 PixelAlbedo pixel_albedo(IN(ShadingPoint) p, vec3 wo, vec3 throughput) {
-    float cos_o = abs(dot(p.frame.n, wo));
+    float cos_o = abs(dot(shown_normal(p), wo));
     PixelAlbedo a;
     a.diffuse = bsdf_diffuse_albedo(p.bsdf, cos_o);
     a.specular = vec3(0.0f);
@@ -89,7 +89,8 @@ void store_surface(ivec2 pixel, IN(PixelView) seen, IN(Hit) hit, IN(Surface) s,
     m.flags = (p.flags & MATERIAL_UNLIT) != 0u ? REALTIME_UNLIT : 0u;
     m.flags |= previous.known == 0u ? REALTIME_NO_HISTORY : 0u;
     m.mirrors = seen.mirrors;
-    vec3 n = dot(p.frame.n, wo) < 0.0f ? -p.frame.n : p.frame.n;
+    vec3 n = shown_normal(p);
+    n = dot(n, wo) < 0.0f ? -n : n;
     vec3 smooth_n = dot(s.frame.n, wo) < 0.0f ? -s.frame.n : s.frame.n;
     PixelAlbedo albedo = pixel_albedo(p, wo, throughput);
     bool lit = (m.flags & REALTIME_UNLIT) == 0u;
@@ -130,7 +131,7 @@ bool view_goes_on(INOUT(PathState) path, INOUT(PixelView) seen, IN(Surface) s, I
     path_leave(path, s, p, at, wo_local, b, -1.0f);
     if (path.ended != 0u) { return false; }
     if ((b.lobe & LOBE_TRANSMISSION) == 0u) {
-        seen.image = mirror_image_behind(seen.image, s.position, p.frame.n);
+        seen.image = mirror_image_behind(seen.image, s.position, shown_normal(p));
     }
     seen.mirrors += 1u;
     return true;
@@ -170,7 +171,8 @@ void realtime_primary(ivec2 pixel, Ray ray, Hit hit) {
     }
     float coverage = seen.mirrors > 0u ? 1.0f : 0.0f;
     if (path.hit.instance == HIT_NOTHING) {
-        seen.emission += path.throughput * sky_light(path.from, path.ray.direction,
+        vec3 left = medium_transmittance(path.attenuation, FLOAT_MAX);
+        seen.emission += path.throughput * left * sky_light(path.from, path.ray.direction,
                                                      path.cone.spread, seen.mirrors == 0u);
     } else {
         LET_REF(LightRecord) record = load_light(path.hit.primitive);

@@ -1,6 +1,7 @@
 // What is known of the glints within a footprint, and the limits within which it is read.
 #ifndef GP_SHADING_GLINT_DESCRIPTION_GLSL
 #define GP_SHADING_GLINT_DESCRIPTION_GLSL
+#include "shading/slope/ndf_filtering.glsl"
 #include "shading/slope/slopes.glsl"
 
 // All zero but the slopes: the plain Gaussian. Whatever is not finite or beyond these limits is
@@ -22,28 +23,24 @@ struct Glint {
     uint seed;
 };
 
-#define GLINT_MIN_VARIANCE 1.0e-8f
-#define GLINT_MAX_VARIANCE 1.0e4f
-#define GLINT_MAX_CORRELATION 0.999f
-#define GLINT_MIN_AREA 1.0e-5f
-#define GLINT_MAX_LOG_DENSITY 60.0f
-#define GLINT_MAX_JITTER 3.0f
-
-// Variance of a pixel along its side, of the Gaussian that stands for it: half a pixel's reach.
-// [Kaplanyan et al. 2016, "Filtering Distributions of Normals for Shading Antialiasing", section 4]
-#define GLINT_PIXEL_VARIANCE 0.159154943f
+#define GLINT_LEAST_VARIANCE 1.0e-8f
+#define GLINT_LARGEST_VARIANCE 1.0e4f
+#define GLINT_LARGEST_CORRELATION 0.999f
+#define GLINT_LEAST_AREA 1.0e-5f
+#define GLINT_LARGEST_LOG_DENSITY 60.0f
+#define GLINT_LARGEST_JITTER 3.0f
 
 // Comparisons with NaN are false, hence their form.
 float glint_limited(float x, float lowest, float highest) {
     return x > lowest ? min(x, highest) : lowest;
 }
 
-Slopes glint_slopes(IN(Glint) g) {
+Slopes glint_slopes_within(IN(Glint) g) {
     Slopes d;
     d.mean = g.slopes.mean;
-    d.var_x = glint_limited(g.slopes.var_x, GLINT_MIN_VARIANCE, GLINT_MAX_VARIANCE);
-    d.var_y = glint_limited(g.slopes.var_y, GLINT_MIN_VARIANCE, GLINT_MAX_VARIANCE);
-    float limit = GLINT_MAX_CORRELATION * sqrt(d.var_x * d.var_y);
+    d.var_x = glint_limited(g.slopes.var_x, GLINT_LEAST_VARIANCE, GLINT_LARGEST_VARIANCE);
+    d.var_y = glint_limited(g.slopes.var_y, GLINT_LEAST_VARIANCE, GLINT_LARGEST_VARIANCE);
+    float limit = GLINT_LARGEST_CORRELATION * sqrt(d.var_x * d.var_y);
     bool inside = abs(g.slopes.cov) <= limit;
     float nearest = g.slopes.cov > 0.0f ? limit : (g.slopes.cov < 0.0f ? -limit : 0.0f);
     d.cov = inside ? g.slopes.cov : nearest;
@@ -52,11 +49,7 @@ Slopes glint_slopes(IN(Glint) g) {
 
 // The slopes with what the pixel's kernel adds: it is part of the surface that the pixel sees.
 Slopes glint_kernel_added(IN(Slopes) d, vec2 k0, vec2 k1) {
-    Slopes r = d;
-    r.var_x += GLINT_PIXEL_VARIANCE * (k0.x * k0.x + k1.x * k1.x);
-    r.var_y += GLINT_PIXEL_VARIANCE * (k0.y * k0.y + k1.y * k1.y);
-    r.cov += GLINT_PIXEL_VARIANCE * (k0.x * k0.y + k1.x * k1.y);
-    return r;
+    return slopes_widened(d, ndf_kernel(k0, k1) * 0.5f);
 }
 
 // Slopes in units of their own spread: the covariance becomes the identity, so that what is known
@@ -71,7 +64,7 @@ struct Whitening {
 Whitening whitening_of(IN(Slopes) d) {
     float l_xx = sqrt(d.var_x);
     float l_yx = d.cov / l_xx;
-    float l_yy = sqrt(max(d.var_y - l_yx * l_yx, 1.0e-3f * GLINT_MIN_VARIANCE));
+    float l_yy = sqrt(max(d.var_y - l_yx * l_yx, 1.0e-3f * GLINT_LEAST_VARIANCE));
     Whitening w;
     w.xx = 1.0f / l_xx;
     w.yy = 1.0f / l_yy;

@@ -4,38 +4,28 @@
 // the axes are those of the ellipse, not the two derivatives, which need not be orthogonal.
 #ifndef GP_SHADING_GLINT_FOOTPRINT_GLSL
 #define GP_SHADING_GLINT_FOOTPRINT_GLSL
+#include "shading/slope/footprint.glsl"
 
 // Longer ellipses are made wider: the number of cells stays below 100 and nothing is cut off.
 #define GLINT_ANISOTROPY 4.0f
 
 // The quadric matrix of the ellipse, in the units of uv.
-struct Footprint {
+struct GlintFootprint {
     float xx;
     float xy;
     float yy;
     float minor;  // half of its shorter axis
 };
 
-Footprint footprint_of(vec2 d0, vec2 d1) {
-    Footprint f;
-    f.xx = d0.x * d0.x + d1.x * d1.x;
-    f.xy = d0.x * d0.y + d1.x * d1.y;
-    f.yy = d0.y * d0.y + d1.y * d1.y;
-    float half_sum = 0.5f * (f.xx + f.yy);
-    float half_difference = 0.5f * (f.xx - f.yy);
-    float root = sqrt(half_difference * half_difference + f.xy * f.xy);
-    float major2 = half_sum + root;
-    float minor2 = max(half_sum - root, 0.0f);
-    // What is missing is added along the minor axis: (major2 - matrix) / (2 root) projects on it.
-    float missing = major2 * (1.0f / (GLINT_ANISOTROPY * GLINT_ANISOTROPY)) - minor2;
-    if (missing > 0.0f) {
-        float scale = missing / (2.0f * root);
-        f.xx += scale * (major2 - f.xx);
-        f.xy -= scale * f.xy;
-        f.yy += scale * (major2 - f.yy);
-        minor2 += missing;
-    }
-    f.minor = sqrt(minor2);
+GlintFootprint glint_footprint(vec2 d0, vec2 d1) {
+    FootprintEllipse e = footprint_ellipse(d0, d1);
+    GlintFootprint f;
+    f.minor = max(e.minor, e.major * (1.0f / GLINT_ANISOTROPY));
+    float minor2 = f.minor * f.minor;
+    float along = e.major * e.major - minor2;
+    f.xx = minor2 + along * e.axis.x * e.axis.x;
+    f.xy = along * e.axis.x * e.axis.y;
+    f.yy = minor2 + along * e.axis.y * e.axis.y;
     return f;
 }
 
@@ -53,7 +43,7 @@ struct Ellipse {
 
 // Filter and the cell's own reconstruction: both matrices are added. uv is limited to where floats
 // still tell cells apart.
-Ellipse ellipse_of(IN(Footprint) f, vec2 uv, float cells) {
+Ellipse ellipse_of(IN(GlintFootprint) f, vec2 uv, float cells) {
     Ellipse e;
     e.centre = vec2(clamp(uv.x * cells, -4.0e6f, 4.0e6f) - 0.5f,
                     clamp(uv.y * cells, -4.0e6f, 4.0e6f) - 0.5f);
@@ -86,7 +76,7 @@ ivec3 ellipse_first_row(IN(Ellipse) e) {
 
 // exp(-2 r^2) - exp(-2) inside, 0 outside, as a polynomial with an error of 8e-4, so that
 // compilers make vectors of it.
-float ellipse_weight(IN(Ellipse) e, int x, int y) {
+IN_LOOPS float ellipse_weight(IN(Ellipse) e, int x, int y) {
     float tx = float(x) - e.centre.x;
     float ty = float(y) - e.centre.y;
     float r2 = e.a * tx * tx + e.b * tx * ty + e.c * ty * ty;

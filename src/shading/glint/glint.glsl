@@ -16,7 +16,7 @@
 
 // The pyramid under a footprint.
 struct GlintPyramid {
-    Footprint footprint;
+    GlintFootprint footprint;
     float base;    // log2 of the side of cells of level 0, in units of uv
     float level;   // between which two levels, >= 0
     float facets;  // logarithm to base 4 of the facets in a cell of level 0
@@ -27,20 +27,20 @@ struct GlintPyramid {
 
 GlintPyramid glint_pyramid(IN(Glint) g) {
     GlintPyramid p;
-    p.footprint = footprint_of(g.d0, g.d1);
-    float log_density = glint_limited(g.log_density, -GLINT_MAX_LOG_DENSITY, GLINT_MAX_LOG_DENSITY);
-    float log4_density = log_density * (0.5f * 1.44269504f);
+    p.footprint = glint_footprint(g.d0, g.d1);
+    float log4_density = (0.5f * 1.44269504f) * glint_limited(
+        g.log_density, -GLINT_LARGEST_LOG_DENSITY, GLINT_LARGEST_LOG_DENSITY);
     p.area = glint_limited(g.area, 0.0f, 1.0f);
     p.base = floor(-log4_density);
     p.level = max(log2(max(p.footprint.minor, 1.0e-30f)) - p.base, 0.0f);
     p.facets = log4_density + p.base;
-    p.spread = glint_limited(g.jitter, 0.0f, GLINT_MAX_JITTER) * 3.46410162f;
+    p.spread = glint_limited(g.jitter, 0.0f, GLINT_LARGEST_JITTER) * 3.46410162f;
     // As many facets in every cell as the last level stands for, or numbers that are none.
     float fewest = p.facets + floor(p.level) - 0.5f * p.spread
-                 + 0.5f * log2(max(p.area, GLINT_MIN_AREA));
+                 + 0.5f * log2(max(p.area, GLINT_LEAST_AREA));
     bool places = abs(g.uv.x) < 1.0e30f && abs(g.uv.y) < 1.0e30f && p.footprint.minor < 1.0e15f;
     p.smooth_only = !(places && fewest < float(GLINT_LEVELS) && g.log_density == g.log_density)
-                 || p.area < GLINT_MIN_AREA || !table_exists(g.dictionary);
+                 || p.area < GLINT_LEAST_AREA || !table_exists(g.dictionary);
     return p;
 }
 
@@ -86,8 +86,9 @@ GlintSteps glint_steps(IN(GlintPyramid) p, vec2 uv, uint seed) {
 
 // The mean over the cells of both levels, weighted within each and then by the levels' shares. It
 // takes 16 of them at a time and in three steps, each a loop that compilers turn into vectors:
-// hashes, look-ups along both axes, sums.
-float glint_mean(IN(GlintQuery) q, IN(GlintSteps) s) {
+// hashes, look-ups along both axes, sums. Out of line: then there is one copy, and compilers have
+// no reason to leave a part of it scalar.
+OUT_OF_LINE float glint_mean_of_cells(IN(GlintQuery) q, IN(GlintSteps) s) {
     float sum_low = 0.0f;
     float sum_high = 0.0f;
     float all_low = 0.0f;
@@ -169,7 +170,7 @@ GlintQuery glint_query(IN(Glint) g, IN(Slopes) d, IN(Whitening) w, vec2 s) {
     GlintQuery q;
     q.table = g.dictionary;
     q.slope = whitened(w, s - d.mean);
-    float deviation = sqrt(GLINT_PIXEL_VARIANCE);
+    float deviation = sqrt(NDF_PIXEL_VARIANCE);
     q.k0 = whitened(w, g.k0 * deviation);
     q.k1 = whitened(w, g.k1 * deviation);
     q.blurred = !(g.k0 == vec2(0.0f, 0.0f) && g.k1 == vec2(0.0f, 0.0f));
@@ -181,14 +182,14 @@ GlintQuery glint_query(IN(Glint) g, IN(Slopes) d, IN(Whitening) w, vec2 s) {
 // Density of slopes (not centred) over the footprint, per horizontal area. Finite and >= 0 whatever
 // the input; 0 for slopes that are not finite.
 float glint_p22(IN(Glint) g, vec2 s) {
-    Slopes d = glint_slopes(g);
+    Slopes d = glint_slopes_within(g);
     GlintQuery q = glint_query(g, d, whitening_of(d), s);
     GlintPyramid p = glint_pyramid(g);
     bool known = abs(q.slope.x) < 1.0e15f && abs(q.slope.y) < 1.0e15f;
     if (p.smooth_only || !known) {
         return known ? q.gaussian : 0.0f;
     }
-    return glint_mean(q, glint_steps(p, g.uv, g.seed));
+    return glint_mean_of_cells(q, glint_steps(p, g.uv, g.seed));
 }
 
 // The cell of an ellipse that a uniform number falls into, by their weights; and the number again,
@@ -229,7 +230,7 @@ GlintChoice glint_choose_cell(IN(Ellipse) e, float u) {
 // A slope with the density glint_p22, which is symmetric about g.slopes.mean. All numbers uniform
 // in [0, 1); u_cell chooses level, cell and part.
 vec2 glint_sample(IN(Glint) g, vec2 u, float u_cell) {
-    Slopes d = glint_slopes(g);
+    Slopes d = glint_slopes_within(g);
     GlintPyramid p = glint_pyramid(g);
     if (p.smooth_only) {
         return slopes_sample(d, u);

@@ -18,6 +18,16 @@ vec2 footprint_bounded2(vec2 v, float limit) {
     return vec2(footprint_bounded(v.x, limit), footprint_bounded(v.y, limit));
 }
 
+// Unit length, along the larger axis of the symmetric matrix ((m + d, xy), (xy, m - d)), d being
+// half_difference; radius: the length of (d, xy). Where that is 0, any axis would do.
+vec2 principal_axis(float half_difference, float xy, float radius) {
+    // Of the two ways to write the direction, the one that does not cancel.
+    vec2 axis = half_difference >= 0.0f ? vec2(half_difference + radius, xy)
+                                        : vec2(xy, radius - half_difference);
+    float l = length(axis);
+    return l > 0.0f ? axis / l : vec2(1.0f, 0.0f);
+}
+
 // Any input: what is not finite counts as nothing, and nothing is longer than 1e9.
 FootprintEllipse footprint_ellipse(vec2 change_0, vec2 change_1) {
     vec2 a = footprint_bounded2(change_0, 1.0e9f);
@@ -30,11 +40,7 @@ FootprintEllipse footprint_ellipse(vec2 change_0, vec2 change_1) {
     e.major = sqrt(half_sum + radius);
     // The product of the axes is the determinant, which does not cancel.
     e.minor = e.major > 0.0f ? min(abs(a.x * b.y - a.y * b.x) / e.major, e.major) : 0.0f;
-    // Of the two ways to write the direction, the one that does not cancel.
-    vec2 axis = half_difference >= 0.0f ? vec2(half_difference + radius, xy)
-                                        : vec2(xy, radius - half_difference);
-    float l = length(axis);
-    e.axis = l > 0.0f ? axis / l : vec2(1.0f, 0.0f);
+    e.axis = principal_axis(half_difference, xy, radius);
     return e;
 }
 

@@ -9,6 +9,7 @@
 // the ways from and to projected widths need no inverse of a matrix, so that none can be missing.
 #ifndef GP_SHADING_SLOPE_NDF_FILTERING_GLSL
 #define GP_SHADING_SLOPE_NDF_FILTERING_GLSL
+#include "shading/slope/footprint.glsl"
 #include "shading/slope/mean_slope.glsl"
 
 #define NDF_FILTER_NONE 0u
@@ -57,7 +58,8 @@ vec2 ndf_kaplanyan(vec2 alpha2, vec3 h, vec3 dh0, vec3 dh1) {
     return vec2(min(alpha2.x + 2.0f * x * x, 1.0f), min(alpha2.y + 2.0f * y * y, 1.0f));
 }
 
-// One width for all lights, from how the normal moves alone: for G-buffers.
+// One width for all lights, from how the normal moves alone: for G-buffers. Given the changes of
+// the half vector, it is the isotropic filter of one light.
 // [Tokuyoshi and Kaplanyan 2019, section 5, listing 2]
 float ndf_deferred(float alpha2, vec3 dn0, vec3 dn1) {
     float kernel = 2.0f * NDF_PIXEL_VARIANCE * (dot(dn0, dn0) + dot(dn1, dn1));
@@ -81,7 +83,8 @@ vec3 ndf_from_projected(vec3 p) {
 }
 
 // Squared widths with those of the pixel added where derivatives are tame also at grazing angles:
-// in h.xy. [Tokuyoshi and Kaplanyan 2021, equation 6]
+// in h.xy. Given the changes of the normal, in the frame, it serves all lights.
+// [Tokuyoshi and Kaplanyan 2021, equation 6]
 vec3 ndf_tokuyoshi(vec3 alpha2, vec3 dh0, vec3 dh1) {
     // At 1 the projected width is infinite.
     vec3 a = vec3(min(alpha2.x, 0.9999f), min(alpha2.y, 0.9999f), alpha2.z);
@@ -112,14 +115,7 @@ PrincipalWidths principal_widths(vec3 alpha2) {
     PrincipalWidths w;
     w.alpha_x = sqrt(mean + radius);
     w.alpha_y = sqrt(max(mean - radius, 0.0f));
-    // Half of the angle of (half_difference, alpha2.z).
-    float c = radius + abs(half_difference);
-    vec2 near_x = half_difference >= 0.0f ? vec2(c, alpha2.z) : vec2(abs(alpha2.z), c);
-    if (half_difference < 0.0f && alpha2.z < 0.0f) {
-        near_x.x = -near_x.x;
-    }
-    float l2 = dot(near_x, near_x);
-    w.axis = l2 > 0.0f ? near_x * inversesqrt(l2) : vec2(1.0f, 0.0f);
+    w.axis = principal_axis(half_difference, alpha2.z, radius);
     return w;
 }
 

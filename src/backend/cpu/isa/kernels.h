@@ -106,6 +106,16 @@ struct Kernels {
         return sampleTexture(view.textures[texture], uv, lod, uLod);
     }
 
+    const SlopeMapSize& load_slope_map(uint map) { return view.slopeMaps[map].size; }
+    Slopes load_slopes(uint map, int level, int x, int y) {
+        const SlopeMapView& m = view.slopeMaps[map];
+        const int w = std::max(int(m.size.width >> level), 1);
+        const int h = std::max(int(m.size.height >> level), 1);
+        const auto* texels = static_cast<const SlopeTexel*>(m.levels[level]);
+        return slope_texel_decode(texels[size_t(wrapTexel(y, h, m.wrapV)) * size_t(w) +
+                                         size_t(wrapTexel(x, w, m.wrapU))]);
+    }
+
     // Environment.
     vec3 load_environment(vec2 uv) { return readBilinear(view.environment, uv); }
     vec3 load_background(vec2 uv) { return readBilinear(view.background, uv); }
@@ -152,11 +162,17 @@ struct Kernels {
     uint32_t nextAlphaSeed() { return pathSeed = hash_u32(pathSeed + 0x9E3779B9u); }
     void record(uint32_t kind, const Ray& ray) const;
 
+    // The sea. The one call out of the hot code: its tables are read in one place, by Ocean.
+    SeaSlopes sample_sea(vec2 rest, vec2 d0, vec2 d1) {
+        return view.seaSlopes(*view.sea, rest, d0, d1);
+    }
+
 #include "kernels/environment.glsl"
 #include "kernels/surface.glsl"
 #include "kernels/material.glsl"
 #include "kernels/sky.glsl"
 #include "kernels/light_choice.glsl"
+#include "kernels/leaving_ray.glsl"
 #include "kernels/path.glsl"
 #include "kernels/primary.glsl"
 #include "kernels/tonemap.glsl"

@@ -1,0 +1,186 @@
+// The sea in pictures: known answers for calm water, energy, far waves against near ones, hostile
+// settings, the same bits on any number of threads.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/stage.h"
+
+namespace gp::test {
+namespace {
+
+constexpr double eta = 1.333;
+
+GpOceanDesc calm() {
+    GpOceanDesc desc{};
+    // No light comes back from below.
+    desc.given = GP_GIVEN_WIND | GP_GIVEN_ABSORPTION | GP_GIVEN_SCATTERING | GP_GIVEN_FOAM;
+    desc.resolution = 64;
+    return desc;
+}
+
+GpOceanDesc windy(float wind) {
+    GpOceanDesc desc = calm();
+    desc.wind = wind;
+    return desc;
+}
+
+GpCameraDesc looking(double pitch, float height = 3) {
+    GpCameraDesc camera{};
+    camera.position[1] = height;
+    camera.target[1] = height + float(std::sin(pitch));
+    camera.target[2] = -float(std::cos(pitch));
+    camera.verticalFov = 0.25f;
+    return camera;
+}
+
+// [Born and Wolf 1999, section 1.5.2], unpolarised, from outside
+double fresnel(double cosine) {
+    const double inner = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
+    const double s = (cosine - eta * inner) / (cosine + eta * inner);
+    const double p = (eta * cosine - inner) / (eta * cosine + inner);
+    return (s * s + p * p) / 2;
+}
+
+constexpr uint32_t width = 24, height = 16;
+
+// The mean over the picture of f(cosine with the vertical).
+template <class F>
+double meanOverPicture(double pitch, const F& f) {
+    double sum = 0;
+    constexpr int fine = 4;  // points along each side of a pixel
+    for (uint32_t y = 0; y < height * fine; ++y)
+        for (uint32_t x = 0; x < width * fine; ++x) {
+            const double half = std::tan(0.125) / (height * fine / 2.0);
+            const double u = (x + 0.5 - width * fine / 2.0) * half;
+            const double v = (height * fine / 2.0 - y - 0.5) * half;
+            const double down = std::sin(-pitch) - v * std::cos(pitch);
+            sum += f(down / std::sqrt(1 + u * u + v * v));
+        }
+    return sum / (width * height * fine * fine);
+}
+
+Picture seaPicture(const GpOceanDesc& desc, const GpCameraDesc& camera, uint32_t samples,
+                   uint32_t threads = 0) {
+    Stage stage(bestFullVariant().front(), threads);
+    stage.surround(glm::vec3(1));
+    stage.check(gpSetOcean(stage.scene, &desc));
+    stage.check(gpSetOceanTime(stage.scene, 12));
+    return stage.render(width, height, camera, stage.options(samples));
+}
+
+TEST(Sea, CalmWaterReflectsByFresnel) {
+    for (const double pitch : {-0.25, -0.5, -1.2}) {
+        const Picture picture = seaPicture(calm(), looking(pitch), effort(1024));
+        // Many paths go down into the dark: few per cent are known at best.
+        EXPECT_NEAR(picture.mean().y, meanOverPicture(pitch, fresnel), 4 * picture.sigma().y)
+            << pitch;
+        EXPECT_LT(picture.sigma().y, 0.02 * meanOverPicture(pitch, fresnel));
+    }
+}
+
+// What is refracted is compressed by the square of the index.
+TEST(Sea, CalmClearWaterShowsWhatIsBelow) {
+    GpOceanDesc desc = calm();
+    desc.transparent = 1;
+    const double pitch = -0.6;
+    const Picture picture = seaPicture(desc, looking(pitch), effort(256));
+    expectMean(picture, meanOverPicture(pitch, [](double c) {
+                   return fresnel(c) + (1 - fresnel(c)) / (eta * eta);
+               }));
+}
+
+TEST(Sea, WaterThatAbsorbsIsBlackWithoutAnEnd) {
+    GpOceanDesc desc = calm();
+    desc.transparent = 1;
+    for (float& a : desc.absorption) a = 0.1f;
+    const Picture clear = seaPicture(desc, looking(-0.6), effort(256));
+    desc.transparent = 0;
+    const Picture deep = seaPicture(desc, looking(-0.6), effort(256));
+    EXPECT_NEAR(clear.mean().y, deep.mean().y, 4 * std::hypot(clear.sigma().y, deep.sigma().y));
+}
+
+// What comes back from below has the colour of scattering over absorption.
+TEST(Sea, DeepWaterHasItsOwnColour) {
+    GpOceanDesc desc = calm();
+    const float scattering[3] = {0.01f, 0.03f, 0.1f};
+    for (int c = 0; c < 3; ++c) desc.absorption[c] = 0.1f, desc.scattering[c] = scattering[c];
+    const double pitch = -1.2;
+    const Picture picture = seaPicture(desc, looking(pitch), effort(1024));
+    const double mirror = meanOverPicture(pitch, fresnel);
+    for (int c = 0; c < 3; ++c) {
+        const double r = 0.33 * scattering[c] / (0.1 + scattering[c]);
+        const double back = picture.mean()[c] - mirror;
+        // Less than all of it leaves, by twice Fresnel's loss at most.
+        EXPECT_LT(back, 1.02 * r) << c;
+        EXPECT_GT(back, 0.80 * r - 4 * picture.sigma()[c]) << c;
+    }
+}
+
+TEST(Sea, WavesKeepEnergy) {
+    for (const float wind : {3.0f, 12.0f}) {
+        GpOceanDesc desc = windy(wind);
+        const GpCameraDesc camera = looking(-0.35);
+        const Picture reflected = seaPicture(desc, camera, effort(256));
+        desc.transparent = 1;
+        const Picture both = seaPicture(desc, camera, effort(256));
+        const double r = reflected.mean().y, t = (both.mean().y - r) * eta * eta;
+        // Single scattering loses what facets hide from one another; none may be made.
+        EXPECT_LT(r + t, 1.01) << wind;
+        EXPECT_GT(r + t, 0.93) << wind;
+    }
+}
+
+// A picture of few pixels filters the waves; one of many shows them, and its mean is the same.
+TEST(Sea, FarWavesLookLikeTheMeanOfNearOnes) {
+    Stage stage(bestFullVariant().front());
+    GpEnvironmentDesc sky{};
+    std::vector<glm::vec4> pixels;  // brighter towards the zenith, so that slopes count
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x)
+            pixels.emplace_back(glm::vec3(y < 16 ? 16.0f - float(y) : 0), 1);
+    sky.width = 64, sky.height = 32, sky.pixels = &pixels[0].x;
+    stage.check(gpSetEnvironment(stage.scene, &sky));
+    const GpOceanDesc desc = windy(9);
+    stage.check(gpSetOcean(stage.scene, &desc));
+    const GpCameraDesc camera = looking(-0.3, 40);
+    const Picture few = stage.render(8, 6, camera, stage.options(effort(1024)));
+    const Picture many = stage.render(256, 192, camera, stage.options(effort(4)));
+    for (uint32_t y = 0; y < 6; ++y) {
+        double coarse = 0, fine = 0;
+        for (uint32_t x = 0; x < 8; ++x) coarse += double(few.at(x, y).y) / 8;
+        for (uint32_t i = 0; i < 32 * 256; ++i)
+            fine += double(many.at(i % 256, y * 32 + i / 256).y) / (32 * 256);
+        EXPECT_NEAR(coarse, fine, 0.1 * fine) << "row " << y;
+    }
+}
+
+TEST(Sea, HostileSettingsMakeNoHostilePixels) {
+    GpOceanDesc storm = windy(100);
+    storm.choppiness = 2, storm.swell = 1, storm.resolution = 16;
+    GpOceanDesc puddle = windy(60);
+    puddle.spectrum = GP_SPECTRUM_TMA, puddle.depth = 0.1f, puddle.fetch = 100;
+    puddle.cascades = 4;
+    GpOceanDesc ink = windy(1);
+    ink.transparent = 1, ink.ior = 3;
+    for (float& a : ink.absorption) a = 1000;
+    for (const GpOceanDesc& desc : {storm, puddle, ink})
+        for (const float above : {0.0f, 0.5f, -3.0f, 1.0e5f}) {
+            const Picture picture = seaPicture(desc, looking(-0.2, above), 4);
+            for (const glm::vec4& c : picture.color)
+                for (int i = 0; i < 4; ++i) {
+                    ASSERT_TRUE(std::isfinite(c[i])) << desc.wind << ' ' << above;
+                    ASSERT_GE(c[i], 0) << desc.wind << ' ' << above;
+                }
+        }
+}
+
+TEST(Sea, TheSameBitsOnAnyNumberOfThreads) {
+    const GpOceanDesc desc = windy(9);
+    const Picture one = seaPicture(desc, looking(-0.3), 4, 1);
+    const Picture three = seaPicture(desc, looking(-0.3), 4, 3);
+    EXPECT_EQ(one.color, three.color);
+}
+
+}  // namespace
+}  // namespace gp::test

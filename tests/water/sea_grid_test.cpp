@@ -1,0 +1,93 @@
+// The triangles of the sea: closed, upright, and what they show of the waves.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "scene/sea_grid.h"
+#include "scene/sea_shape.h"
+
+namespace gp {
+namespace {
+
+TEST(SeaGrid, EveryInnerEdgeBelongsToTwoTriangles) {
+    const SeaGrid grid = seaGrid(16);
+    const std::vector<glm::uvec3> triangles = seaGridTriangles(grid);
+    EXPECT_EQ(triangles.size(), grid.triangleCount());
+    std::map<std::pair<uint32_t, uint32_t>, int> edges;  // by direction
+    for (const glm::uvec3& t : triangles)
+        for (int i = 0; i < 3; ++i) {
+            ASSERT_LT(t[i], grid.vertexCount());
+            ++edges[{t[i], t[(i + 1) % 3]}];
+        }
+    const uint32_t outermost = 1 + (grid.rings - 1) * grid.sectors;
+    size_t border = 0;
+    for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1);  // the neighbour runs through it the other way
+        if (edges.contains({edge.second, edge.first})) continue;
+        ++border;
+        EXPECT_GE(std::min(edge.first, edge.second), outermost);
+    }
+    EXPECT_EQ(border, grid.sectors);
+}
+
+TEST(SeaGrid, TrianglesFaceUpwardsAndReachTheHorizon) {
+    for (const uint32_t sectors : {seaSectorsLeast, 384u}) {
+        const SeaGrid grid = seaGrid(sectors);
+        const float height = 3;
+        const std::vector<glm::vec2> points = seaGridPoints(grid, height);
+        ASSERT_EQ(points.size(), grid.vertexCount());
+        for (const glm::uvec3& t : seaGridTriangles(grid)) {
+            const glm::vec2 a = points[t.y] - points[t.x], b = points[t.z] - points[t.x];
+            ASSERT_GT(a.x * b.y - a.y * b.x, 0) << t.x << ' ' << t.y << ' ' << t.z;
+        }
+        EXPECT_GE(glm::length(points.back()), 5000 * height);
+        EXPECT_NEAR(glm::length(points[1]), 0.1 * height, 1e-4);
+    }
+    EXPECT_LT(seaGrid(384).vertexCount(), 260000u);
+}
+
+TEST(SeaGrid, HeightsAreWithinWhatTheGridCanBe) {
+    EXPECT_EQ(seaGridHeight(-20), 20);
+    EXPECT_EQ(seaGridHeight(0), 1);
+    EXPECT_EQ(seaGridHeight(1e9f), 1.0e5f);
+}
+
+OceanSettings breeze() {
+    OceanSettings s;
+    s.windSpeed = 8;
+    s.size = 64;
+    return s;
+}
+
+TEST(SeaShape, SmallCellsShowTheWavesThemselves) {
+    Ocean ocean(breeze());
+    ocean.setTime(7);
+    SeaShape shape;
+    shape.read(ocean);
+    for (int i = 0; i < 40; ++i) {
+        const glm::vec2 rest(31.7f * float(i) - 600, 17.3f * float(i * i % 91));
+        const glm::vec3 expected = ocean.displacement(rest);
+        const glm::vec3 found = shape.at(rest, 0);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 2e-3) << i;
+    }
+}
+
+TEST(SeaShape, LargeCellsShowLessAndLess) {
+    const Ocean ocean(breeze());
+    SeaShape shape;
+    shape.read(ocean);
+    double last = 1e9;
+    for (const float cell : {0.05f, 1.0f, 10.0f, 100.0f, 1000.0f}) {
+        double square = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const glm::vec3 d = shape.at({0.913f * float(i), 1.37f * float(i % 977)}, cell);
+            square += double(d.z * d.z) / 4000;
+        }
+        EXPECT_LT(square, last) << cell;
+        last = square;
+    }
+    EXPECT_LT(last, 1e-6);
+}
+
+}  // namespace
+}  // namespace gp
