@@ -36,6 +36,13 @@ std::optional<Value> Value::find(const char* key) const {
     return Value(*m_file, *it, m_where.empty() ? key : m_where + "." + key);
 }
 
+std::vector<std::string> Value::keys() const {
+    if (!m_json->is_object()) fail("must be an object");
+    std::vector<std::string> names;
+    for (const auto& member : m_json->items()) names.push_back(member.key());
+    return names;
+}
+
 Value Value::operator[](const char* key) const {
     std::optional<Value> v = find(key);
     if (!v) fail(std::string("'") + key + "' is missing");

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
@@ -34,6 +35,8 @@ public:
     [[noreturn]] void unsupported(const std::string& what) const;
     const std::string& where() const { return m_where; }
 
+    bool isObject() const { return m_json->is_object(); }
+    std::vector<std::string> keys() const;  // of this object's members
     bool has(const char* key) const { return find(key).has_value(); }
     std::optional<Value> find(const char* key) const;   // member of this object
     Value operator[](const char* key) const;            // the same; it must be there

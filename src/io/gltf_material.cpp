@@ -134,6 +134,7 @@ Materials::Entry Materials::read(const Value& value) {
     readBase(value, m);
     readCoats(value, m);
     readInside(value, m);
+    readGlints(value, m);
     const auto coat = value.extension("KHR_materials_clearcoat");
     const auto aniso = value.extension("KHR_materials_anisotropy");
     const bool byNormal = value.has("normalTexture");

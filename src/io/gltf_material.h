@@ -38,6 +38,7 @@ private:
     void readBase(const Value& value, Material& m);
     void readCoats(const Value& value, Material& m);
     void readInside(const Value& value, Material& m);
+    void readGlints(const Value& value, Material& m);  // gltf_glints.cpp
     bool use(const Value& value, const char* key, ColorSpace space, TextureUse& target);
     void decodeImages(const std::vector<uint32_t>& images, std::vector<Image>& decoded);
     TextureDesc describe(const Key& key) const;

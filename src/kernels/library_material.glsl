@@ -1,7 +1,9 @@
 // Materials made of the library's models: a stack of parameters, bottom first, blended by weights
-// and masks. Resources: load_bsdf, load_bsdf_layer, and those of shading_point.glsl.
+// and masks. Resources: load_bsdf, load_bsdf_layer, and those of shading_point.glsl and
+// pixel_turn.glsl.
 #ifndef GP_KERNELS_LIBRARY_MATERIAL_GLSL
 #define GP_KERNELS_LIBRARY_MATERIAL_GLSL
+#include "kernels/pixel_turn.glsl"
 #include "kernels/shading_point.glsl"
 #include "shading/bsdf/blend.glsl"
 #include "shading/bsdf/bsdf.glsl"
@@ -23,6 +25,43 @@ BsdfParams library_params(IN(MaterialRecord) m, IN(Surface) s, vec3 base, float 
     return b;
 }
 
+// The change of the half vector's slope along one axis of the pixel, where the light comes from the
+// mirror direction: glints are near it, and for all of them the change is about the same. That
+// light comes from nearby is neglected. [Chermain et al. 2021, section 5]
+vec2 glint_kernel_axis(IN(PixelTurn) t, IN(Frame) f, vec3 wo, float inv_viewer) {
+    vec3 wi = f.n * (2.0f * dot(f.n, wo)) - wo;
+    vec3 change = half_vector_turn(t, f, wo, wi, inv_viewer, 0.0f);
+    return vec2(-change.x, -change.y);
+}
+
+// What the pixel sees of the facets: where in the texture coordinates, how much of them, and how
+// the half vector changes from one of its edges to the other.
+BsdfParams glint_params_at(BsdfParams b, IN(Surface) s, IN(Frame) frame, vec3 wo) {
+    PixelTurns t = pixel_turns(s.hit, -wo, s.cone);
+    TriangleCorners c = load_triangle(load_instance(s.hit.instance).geometry, s.hit.primitive);
+    vec2 along_u = c.uv1 - c.uv0;
+    vec2 along_v = c.uv2 - c.uv0;
+    vec2 d0 = along_u * t.a.corners.x + along_v * t.a.corners.y;
+    vec2 d1 = along_u * t.b.corners.x + along_v * t.b.corners.y;
+    // Without texture coordinates there is nothing to count facets in.
+    if (d0 == vec2(0.0f) && d1 == vec2(0.0f)) { b.slot_b.x = float(GLINT_SMOOTH); }
+    // The distance to where the cone is a point.
+    float inv_viewer = abs(s.cone.spread) / max(abs(s.cone.width), 1.0e-8f);
+    vec2 k0 = glint_kernel_axis(t.a, frame, wo, inv_viewer);
+    vec2 k1 = glint_kernel_axis(t.b, frame, wo, inv_viewer);
+    b.slot_c.x = s.uv0.x;
+    b.slot_c.y = s.uv0.y;
+    b.slot_d = vec4(d0, d1);
+    b.slot_e = vec4(k0, k1);
+    vec3 wo_local = local_from_world(frame, wo);
+    if (wo_local.z > 0.0f) {
+        vec2 mean = slope_mean_in_view(glint_mean(b), wo_local);
+        b.slot_a.x = mean.x;
+        b.slot_a.y = mean.y;
+    }
+    return b;
+}
+
 // Beside the renderer's own materials, out of their way.
 OUT_OF_LINE ShadingPoint library_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base,
                                        vec3 emission, float u_lod) {
@@ -37,6 +76,9 @@ OUT_OF_LINE ShadingPoint library_point(IN(MaterialRecord) m, IN(Surface) s, vec3
             p.frame, vec2(cos(m.anisotropy_rotation), sin(m.anisotropy_rotation)));
     }
     p.frame = face_viewer(s, p.frame, wo, (m.flags & MATERIAL_SOLID) != 0u);
+    if ((m.flags & MATERIAL_GLINT) != 0u) {
+        p.bsdf = glint_params_at(p.bsdf, s, p.frame, wo);
+    }
     return p;
 }
 

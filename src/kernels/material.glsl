@@ -10,7 +10,9 @@
 uint surface_needs(IN(MaterialRecord) m, bool diffuse) {
     bool uv = m.textures != 0u || (m.flags & MATERIAL_NEEDS_UV) != 0u;
     bool mapped = (m.textures & (SLOT_NORMAL | SLOT_COAT_NORMAL)) != 0u || m.anisotropy > 0.0f;
-    return (uv ? SURFACE_UV : 0u) | (mapped && !diffuse ? SURFACE_UV | SURFACE_TANGENT : 0u);
+    bool glints = (m.flags & MATERIAL_GLINT) != 0u && !diffuse;
+    return (uv ? SURFACE_UV : 0u) | (mapped && !diffuse ? SURFACE_UV | SURFACE_TANGENT : 0u) |
+           (glints ? SURFACE_UV | SURFACE_FOOTPRINT : 0u);
 }
 
 ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, float u_lod,

@@ -12,6 +12,7 @@
 // Along one axis of the footprint, a pixel's diameter long; world space.
 struct PixelTurn {
     vec3 move;    // of the position
+    vec2 corners; // change of the hit's barycentrics, Hit::u and Hit::v
     vec3 normal;  // change of the unit normal
     vec3 turn;    // of the frame: axis times angle, radians
 };
@@ -36,6 +37,7 @@ PixelTurn pixel_turn_along(vec3 move, vec3 e1, vec3 e2, vec3 n, vec3 dn_du, vec3
     vec3 change = (dn_du * du + dn_dv * dv) * inv_length;
     PixelTurn t;
     t.move = move;
+    t.corners = vec2(du, dv);
     t.normal = change - unit * dot(unit, change);
     t.turn = cross(unit, t.normal);
     return t;

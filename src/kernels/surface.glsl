@@ -13,10 +13,11 @@ struct Surface {
     vec2 uv0;
     vec2 uv1;
     vec4 color;        // of the vertices
-    float width;       // of the ray's cone here, metres
     float lod;  // log2 of the texture area per pixel's footprint, before a texture's own size
     uint material;
     uint front;        // 1: the ray came from the front
+    Hit hit;           // only with SURFACE_FOOTPRINT, as the next
+    RayCone cone;
 };
 
 vec3 transform_point(IN(InstanceRecord) r, vec3 p) {
@@ -55,6 +56,7 @@ vec3 bend_to_viewer(vec3 n, vec3 wo) {
 // What the material will ask of a surface beside position and normal.
 #define SURFACE_UV 1u       // texture coordinates and colours
 #define SURFACE_TANGENT 2u  // for normal maps and anisotropy
+#define SURFACE_FOOTPRINT 4u  // what pixel_turns asks: who wants it computes it
 
 vec3 surface_position(IN(Hit) hit) {
     LET_REF(InstanceRecord) instance = load_instance(hit.instance);
@@ -68,7 +70,6 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) 
     TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
     Surface s;
     s.material = instance.material;
-    s.width = abs(cone.width);
     s.position = transform_point(instance, interpolate(c.p0, c.p1, c.p2, hit.u, hit.v));
     vec3 e1 = transform_vector(instance, c.p1 - c.p0);
     vec3 e2 = transform_vector(instance, c.p2 - c.p0);
@@ -89,6 +90,10 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) 
     s.color = vec4(1.0f);
     s.lod = 0.0f;
     if (needs == 0u) { return s; }
+    if ((needs & SURFACE_FOOTPRINT) != 0u) {
+        s.hit = hit;
+        s.cone = cone;
+    }
     // A code of zero says that there is none.
     if ((needs & SURFACE_TANGENT) != 0u && c.tangent0 != 0u) {
         vec3 t = transform_vector(

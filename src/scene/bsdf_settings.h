@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/bsdf_registry.h"
+#include "scene/glint_dictionary.h"
 #include "scene/measured_brdf.h"
 #include "shading/shading.h"
 
@@ -39,6 +40,7 @@ namespace {
 #undef GP_VALUE_BOOL
 #undef GP_VALUE_FLAG
 #undef GP_VALUE_CHOICE
+    if (settings.model->number == MODEL_GLINT) m.table = glintDictionary();
     if (settings.measured) m.table = settings.measured->address();
     return m;
 }

@@ -33,6 +33,7 @@ struct Hit {
 #define MATERIAL_LIBRARY 2048u   // a model of the library, not the glTF one: MaterialRecord::bsdf
 #define MATERIAL_SEA 65536u      // … with the waves of the scene's sea: kernels/ocean_surface.glsl
 #define MATERIAL_PREPARE 4096u   // … whose parameters are prepared at each point: they vary
+#define MATERIAL_GLINT 8192u     // … which is MODEL_GLINT: it is told the pixel's footprint
 
 // Light from behind the triangle counts: it shines through, or on slopes that the triangle lacks.
 #define MATERIAL_LIT_FROM_BELOW (MATERIAL_TRANSMISSIVE | MATERIAL_SEA)

@@ -2,6 +2,7 @@
 #include "shading/shading.h"
 
 #include "io/load_helpers.h"
+#include "scene/bsdf_registry.h"
 
 using namespace gp;
 using namespace gp::test;
@@ -33,6 +34,17 @@ nlohmann::json extension(const char* name, const nlohmann::json& content) {
     return m;
 }
 
+nlohmann::json withGlints(const nlohmann::json& glints) {
+    return {{"pbrMetallicRoughness", {{"metallicFactor", 0.25}, {"roughnessFactor", 0.5}}},
+            {"extras", {{"glitterpath", {{"glints", glints}}}}}};
+}
+
+double settingOf(const Material& m, const char* name) {
+    const BsdfSettings& s = *m.layers.at(0).bsdf;
+    const BsdfParameterInfo& p = findBsdfParameter(*s.model, name);
+    return double(s.values[size_t(&p - s.model->parameters.data())].x);
+}
+
 }  // namespace
 
 TEST(GltfMaterial, DefaultsAreThoseOfGltf) {
@@ -45,6 +57,42 @@ TEST(GltfMaterial, DefaultsAreThoseOfGltf) {
         EXPECT_EQ(m.alphaMode, AlphaMode::opaque);
         EXPECT_FALSE(m.doubleSided);
     }
+}
+
+TEST(GltfMaterial, Glints) {
+    const Material m =
+        loaded(withGlints({{"density", 2e7}, {"area", 0.5}, {"method", "counting"}}));
+    ASSERT_EQ(m.layers.size(), 1u);
+    EXPECT_EQ(m.layers[0].bsdf->model->name, "glint");
+    EXPECT_FLOAT_EQ(float(settingOf(m, "density")), 2e7f);
+    EXPECT_EQ(settingOf(m, "area"), 0.5);
+    EXPECT_EQ(settingOf(m, "method"), 2);
+    EXPECT_EQ(settingOf(m, "jitter"), 0);
+    EXPECT_EQ(settingOf(m, "metallic"), 0.25);
+    EXPECT_EQ(settingOf(m, "alpha_x"), 0.25);
+    EXPECT_EQ(settingOf(m, "alpha_y"), 0.25);
+    // Extras of other programs, of any kind, say nothing.
+    for (const nlohmann::json& other : {nlohmann::json("text"), nlohmann::json(7),
+                                        nlohmann::json{{"glints", 1}},
+                                        nlohmann::json{{"glitterpath", {{"other", 1}}}}})
+        EXPECT_TRUE(loaded({{"extras", other}}).layers.empty());
+}
+
+TEST(GltfMaterial, GlintsThatAreWrong) {
+    const auto error = [](const nlohmann::json& glints) {
+        return errorOf(withMaterial(withGlints(glints)).gltf());
+    };
+    const std::string at = "materials[0].extras.glitterpath.glints";
+    EXPECT_EQ(error({{"area", 1}}), at + ": 'density' is missing");
+    EXPECT_EQ(error({{"density", -3}}), at + ".density: is -3, but must be 0.001 to 1e+20");
+    EXPECT_EQ(error({{"density", 1e6}, {"area", 1.5}}), at + ".area: is 1.5, but must be 0 to 1");
+    EXPECT_EQ(error({{"density", 1e6}, {"method", "magic"}}),
+              at + ".method: must be one of smooth, dictionary, counting, zirr");
+    EXPECT_EQ(error({{"density", 1e6}, {"denisty", 1}}),
+              at + ": 'denisty' is none of density, area, jitter, seed, method, masking, "
+                   "correlation");
+    EXPECT_EQ(error(3), at + ": must be an object");
+    EXPECT_NE(error({{"density", "many"}}).find(at + ".density: "), std::string::npos);
 }
 
 TEST(GltfMaterial, Core) {

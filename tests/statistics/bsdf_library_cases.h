@@ -151,14 +151,23 @@ const LibraryCase libraryCases[] = {
     {"holzschuch_pacanowski", "gaussian", "eta=0.05 k=9 beta=0.15 p=1 sigma_um=0.05 b_um=0.3 c=3",
      0u, true},
     {"holzschuch_pacanowski", "smooth", "sigma_um=0 beta=0.2 p=2", 0u, true},
-    {"glint", "metal", "metallic=1 alpha_x=0.15 alpha_y=0.5 correlation=0.6"},
-    {"glint", "mirror", "metallic=1 alpha_x=0.002 alpha_y=0.002", 0u, true},
-    {"glint", "wave", "metallic=1 alpha_x=0.2 alpha_y=0.1 mean_slope_x=0.4 mean_slope_y=-0.2"},
-    {"glint", "tilted_paint", "alpha_x=0.4 alpha_y=0.4 mean_slope_x=-0.3 metallic=0.3"},
-    {"glint", "water", "transmission=1 thin=false ior=1.33 alpha_x=0.3 alpha_y=0.3"},
-    {"glint", "water_wave", "transmission=1 thin=false ior=1.33 alpha_x=0.2 alpha_y=0.3 "
-     "correlation=-0.5 mean_slope_x=0.3 mean_slope_y=0.2"},
-    {"glint", "sheet", "transmission=0.6 alpha_x=0.3 alpha_y=0.2 mean_slope_y=0.1"},
+    {"glint", "metal", "method=smooth base_color=1 metallic=1 alpha_x=0.15 alpha_y=0.5 "
+     "correlation=0.6", BSDF_CONSERVING},
+    {"glint", "mirror", "method=smooth base_color=1 metallic=1 alpha_x=0.002 alpha_y=0.002",
+     BSDF_CONSERVING, true},
+    {"glint", "wave", "method=smooth base_color=1 metallic=1 alpha_x=0.2 alpha_y=0.1 "
+     "mean_slope_x=0.4 mean_slope_y=-0.2", BSDF_CONSERVING},
+    {"glint", "paint", "method=smooth base_color=1 alpha_x=0.4 alpha_y=0.4 mean_slope_x=-0.3 "
+     "metallic=0.3", BSDF_CONSERVING},
+    {"glint", "water", "method=smooth base_color=1 transmission=1 thin=false ior=1.33 "
+     "alpha_x=0.3 alpha_y=0.3", BSDF_CONSERVING},
+    {"glint", "water_wave", "method=smooth transmission=1 thin=false ior=1.33 alpha_x=0.2 "
+     "alpha_y=0.3 correlation=-0.5 mean_slope_x=0.3 mean_slope_y=0.2", BSDF_CONSERVING},
+    {"glint", "sheet", "method=smooth base_color=1 transmission=0.6 alpha_x=0.3 alpha_y=0.2 "
+     "mean_slope_y=0.1", BSDF_CONSERVING},
+    {"glint", "smith", "method=smooth base_color=1 metallic=1 masking=smith alpha_x=0.4 "
+     "alpha_y=0.2 mean_slope_x=0.2", BSDF_CONSERVING},
+    {"glint", "tilted", "method=smooth metallic=1 masking=tilted alpha_x=0.3 alpha_y=0.3"},
     {"measured", "nearest", "interpolation=nearest", 0u, true},
     {"holzschuch_pacanowski", "no_mirror", "eta=0.05 k=9 sigma_um=1 b_um=5", 0u, true},
 };

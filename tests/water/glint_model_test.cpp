@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/glint_dictionary.h"
 #include "shading/shading.h"
+#include "statistics/chi2.h"
 #include "statistics/random.h"
 
 namespace gp::test {
@@ -113,6 +115,120 @@ TEST(GlintModel, WavesSeeBelowTheHorizonOfTheGeometry) {
     ASSERT_LT(slope_facing(glint_mean(m), behind), 0.0f);
     EXPECT_EQ(bsdf_eval(m, behind, vec3(0, 0, 1)).f_cos, vec3(0.0f));
     EXPECT_EQ(bsdf_sample(m, behind, 0.5f, vec2(0.5f)).weight, vec3(0.0f));
+}
+
+BsdfParams withFacets(BsdfParams m, float method, float density) {
+    m.slot_a.w = density;
+    m.slot_b.x = method;
+    m.table = glintDictionary();
+    return m;
+}
+
+// What leaves of a pixel's facets, by samples of them and by samples of the smooth surface: the
+// same light by two densities. A wrong density, or one that misses facets, shows.
+TEST(GlintModel, FacetsByTheirOwnSamplesAndByThoseOfTheSmoothSurface) {
+    const BsdfParams smooth = glintMetal(0.3f, 0.2f);
+    for (const float density : {1e5f, 1e7f}) {
+        const BsdfParams m = withFacets(smooth, float(GLINT_DICTIONARY), density);
+        for (const float z : {0.95f, 0.4f}) {
+            Random random(13);
+            double own = 0.0, other = 0.0, squares = 0.0;
+            constexpr int n = 40'000;
+            for (int i = 0; i < n; ++i) {
+                own += double(drawn(m, viewAt(z), random).weight.x) / n;
+                const BsdfSample s = drawn(smooth, viewAt(z), random);
+                const double w = s.pdf > 0.0f
+                    ? double(bsdf_eval(m, viewAt(z), s.wi).f_cos.x) / double(s.pdf) : 0.0;
+                other += w / n;
+                squares += w * w / n;
+            }
+            const double error = std::sqrt((squares - other * other) / n);
+            EXPECT_NEAR(own, other, 5.0 * error + 2e-3) << density << " " << z;
+            EXPECT_LT(own, 1.0);
+        }
+    }
+}
+
+// Some seconds: single facets take a quadrature many points.
+TEST(GlintModel, FacetsAreDrawnByTheirDensity) {
+    BsdfParams m = withFacets(glintMetal(0.3f, 0.3f), float(GLINT_DICTIONARY), 1e6f);
+    m.slot_d = vec4(0.1f, 0.0f, 0.0f, 0.1f);
+    const vec3 wo = normalize(vec3(0.3f, 0.2f, 0.8f));
+    Chi2Options options;
+    options.name = "facets";
+    options.samples = 50'000;
+    SphereDomain domain;
+    domain.hemisphere = 1;
+    const Chi2Result result = chi2Sphere(
+        options, domain,
+        [&](Random& random) {
+            const BsdfSample s = drawn(m, wo, random);
+            return s.pdf > 0.0f ? s.wi : vec3(0.0f);
+        },
+        [&](vec3 wi) { return bsdf_eval(m, wo, wi).pdf; });
+    EXPECT_TRUE(result.passed) << result.message;
+    EXPECT_NEAR(result.pdfIntegral, result.acceptedFraction, 5e-3);
+}
+
+// Every sample's weight is its value over its density, at most the reflectance.
+TEST(GlintModel, FacetsKeepWeightsBounded) {
+    const BsdfParams m = withFacets(glintMetal(0.4f, 0.1f), float(GLINT_DICTIONARY), 1e5f);
+    Random random(17);
+    for (int i = 0; i < 5'000; ++i) {
+        const float x = random.uniform();
+        const vec3 wo = square_to_uniform_hemisphere(vec2(x, random.uniform()));
+        const BsdfSample s = drawn(m, wo, random);
+        ASSERT_LE(s.weight.x, 1.0001f);
+        if (!(s.pdf > 0.0f)) continue;
+        const BsdfValue v = bsdf_eval(m, wo, s.wi);
+        ASSERT_NEAR(v.pdf, s.pdf, 1e-5f * s.pdf);
+        ASSERT_NEAR(v.f_cos.x, s.weight.x * s.pdf, 1e-4f * v.f_cos.x + 1e-9f);
+    }
+}
+
+// Over many places the facets add up to the smooth surface, by each method that promises it.
+TEST(GlintModel, TheMeanOfManyPlacesIsTheSmoothSurface) {
+    const BsdfParams smooth = glintMetal(0.3f, 0.3f);
+    const vec3 wo = viewAt(0.8f);
+    const vec3 wi = normalize(vec3(-0.5f, 0.1f, 0.75f));
+    const double expected = double(bsdf_eval(smooth, wo, wi).f_cos.x);
+    for (const uint method : {GLINT_DICTIONARY, GLINT_COUNTING}) {
+        BsdfParams m = withFacets(smooth, float(method), 1e6f);
+        Random random(23);
+        double sum = 0.0, squares = 0.0;
+        constexpr int n = 40'000;
+        for (int i = 0; i < n; ++i) {
+            m.slot_c.x = 100.0f * random.uniform();
+            m.slot_c.y = 100.0f * random.uniform();
+            const double f = double(bsdf_eval(m, wo, wi).f_cos.x) / expected;
+            sum += f;
+            squares += f * f;
+        }
+        const double error = std::sqrt(squares - sum * sum / n) / n;
+        EXPECT_GT(error, 1e-3) << "no glints";
+        EXPECT_NEAR(sum / n, 1.0, 4.0 * error + 0.01) << method;
+    }
+}
+
+TEST(GlintModel, HostileParametersGiveNoNan) {
+    const float values[] = {0.0f, -1.0f, 1e-30f, 1e30f, INFINITY, -INFINITY, NAN};
+    Random random(29);
+    for (const uint method : {GLINT_SMOOTH, GLINT_DICTIONARY, GLINT_COUNTING, GLINT_ZIRR}) {
+        for (int i = 0; i < 3'000; ++i) {
+            BsdfParams m = withFacets(glintMetal(0.3f, 0.3f), float(method), 1e6f);
+            const auto any = [&] { return values[int(random.uniform() * 7.0f)]; };
+            const int which = i % 5;
+            if (which == 0) m.slot_a.w = any();
+            if (which == 1) m.slot_b.y = any(), m.slot_b.z = any();
+            if (which == 2) m.slot_c.x = any(), m.slot_c.y = any();
+            if (which == 3) m.slot_d = vec4(any(), any(), any(), any());
+            if (which == 4) m.slot_e = vec4(any(), any(), any(), any());
+            const BsdfSample s = drawn(m, viewAt(0.5f), random);
+            ASSERT_TRUE(std::isfinite(s.pdf + s.weight.x)) << method << " " << which;
+            const BsdfValue v = bsdf_eval(m, viewAt(0.5f), viewAt(0.9f));
+            ASSERT_TRUE(std::isfinite(v.pdf + v.f_cos.x)) << method << " " << which;
+        }
+    }
 }
 
 }  // namespace

@@ -96,16 +96,23 @@ static uint32_t gltfFlags(const Material& m) {
     return flags;
 }
 
+// Glints are prepared before they are blended and never at a point: what is derived (the albedo of
+// their facets) is a smooth function of the parameters, and takes as long as a thousand points.
+static shading::BsdfParams layerParams(const BsdfSettings& settings) {
+    const shading::BsdfParams params = bareBsdfParams(settings);
+    return params.model == MODEL_GLINT ? shading::bsdf_prepared(params) : params;
+}
+
 // The stack: what does not vary over the surface is blended and prepared here, once. `colored`:
 // something else than m.baseColor multiplies its base colours.
 void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colored) {
     const bool masked = std::any_of(m.layers.begin(), m.layers.end(),
                                     [](const MaterialLayer& l) { return l.mask.texture; });
-    shading::BsdfParams bottom = bareBsdfParams(*m.layers[0].bsdf);
+    shading::BsdfParams bottom = layerParams(*m.layers[0].bsdf);
     r.first_layer = uint32_t(layers_.size());
     for (size_t i = 1; i < m.layers.size(); ++i) {
         const MaterialLayer& source = m.layers[i];
-        const shading::BsdfParams params = bareBsdfParams(*source.bsdf);
+        const shading::BsdfParams params = layerParams(*source.bsdf);
         if (!masked) {
             bottom = shading::bsdf_blended(bottom, params, source.weight);
             continue;
@@ -120,10 +127,13 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colore
     r.layer_count = uint32_t(layers_.size()) - r.first_layer;
     const shading::BsdfParams prepared = shading::bsdf_prepared(bottom);
     // Preparation may depend on what a texture varies.
-    const bool later = masked || (colored && shading::bsdf_needs_preparation(bottom.model));
+    const bool glints = bottom.model == MODEL_GLINT;
+    const bool later =
+        !glints && (masked || (colored && shading::bsdf_needs_preparation(bottom.model)));
     r.bsdf = bsdfs_->add(later ? bottom : prepared);
     r.model = bottom.model;
-    r.flags |= MATERIAL_LIBRARY | (later ? MATERIAL_PREPARE : 0u);
+    r.flags |= MATERIAL_LIBRARY | (later ? MATERIAL_PREPARE : 0u) |
+               (glints ? MATERIAL_GLINT : 0u);
     if (m.layers[0].bsdf->model->transmissive)
         r.flags |= MATERIAL_TRANSMISSIVE | (prepared.thin == 0u ? MATERIAL_SOLID : 0u);
     r.attenuation = prepared.thin != 0u ? glm::vec3(0)

@@ -122,11 +122,11 @@ BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
     }
     GlintLobe lobe;
     if (front) {
-        lobe = glint_reflection(view.g, view.o, i);
+        lobe = glint_reflection(m, view.g, view.o, i);
     } else if (m.thin != 0u) {
-        lobe = glint_reflection(view.g, view.o, mesosurface_mirrored(view.g.slopes.mean, i));
+        lobe = glint_reflection(m, view.g, view.o, mesosurface_mirrored(view.g.slopes.mean, i));
     } else {
-        lobe = glint_refraction(view.g, view.o, i, view.eta);
+        lobe = glint_refraction(m, view.g, view.o, i, view.eta);
     }
     bool refracts = !front && m.thin == 0u;
     float cos_t = refracts ? lobe.cos_t : glint_cos_behind(m, lobe.cos_h, view.eta);
@@ -152,7 +152,7 @@ BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
 }
 
 bool glint_bsdf_is_specular(IN(BsdfParams) m) {
-    Slopes d = glint_slopes(m);
+    Slopes d = glint_of(m).slopes;
     return !gltf_has_diffuse(m) && alpha_is_specular(sqrt(2.0f * d.var_x), sqrt(2.0f * d.var_y));
 }
 
@@ -163,7 +163,8 @@ vec3 glint_sample_facet(IN(BsdfParams) m, IN(GlintView) view, float u_lobe, vec2
     // Cell and side of the cavity are chosen by what no other choice looks at.
     uvec3 bits = hash_u32x3(
         uvec3(floatBitsToUint(u_lobe), floatBitsToUint(u.x), floatBitsToUint(u.y)));
-    vec2 s = glint_sample(view.g, u, unit_float(bits.x));
+    vec2 s = glint_method(m) == GLINT_DICTIONARY ? glint_sample(view.g, u, unit_float(bits.x))
+                                                 : slopes_sample(view.g.slopes, u);
     s = sheared_cavity_visible(mean, s, view.o, unit_float(bits.y));
     vec3 wm = facet_of(s);
     float cos_h = dot(view.o, wm);

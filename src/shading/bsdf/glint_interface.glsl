@@ -3,41 +3,71 @@
 #ifndef GP_SHADING_BSDF_GLINT_INTERFACE_GLSL
 #define GP_SHADING_BSDF_GLINT_INTERFACE_GLSL
 #include "shading/fresnel.glsl"
+#include "shading/glint/counting.glsl"
 #include "shading/glint/glint.glsl"
+#include "shading/glint/zirr.glsl"
 #include "shading/slope/sheared_cavity.glsl"
+#include "shading/slope/smith_slopes.glsl"
+#include "shading/slope/tilted_cavity.glsl"
 #include "shading/bsdf/gltf_interface.glsl"
 
-#define GLINT_MAX_CORRELATION 0.99f
+// The order of the names in parameters.def.
+#define GLINT_SMOOTH 0u      // the Gaussian: LEADR
+#define GLINT_DICTIONARY 1u
+#define GLINT_COUNTING 2u
+#define GLINT_ZIRR 3u
+
+#define GLINT_MASKING_V_CAVITY 0u
+#define GLINT_MASKING_SMITH 1u
+#define GLINT_MASKING_TILTED 2u
 
 vec2 glint_mean(IN(BsdfParams) m) {
     return vec2(glint_mean_x(m), glint_mean_y(m));
 }
 
-// Of all that is smaller than the footprint: the material's facets, and what a renderer adds.
-Slopes glint_slopes(IN(BsdfParams) m) {
+// Of the material alone.
+Slopes glint_material_slopes(IN(BsdfParams) m) {
     Slopes d;
     d.mean = glint_mean(m);
     d.var_x = 0.5f * m.alpha_x * m.alpha_x;
     d.var_y = 0.5f * m.alpha_y * m.alpha_y;
-    float rho = clamp(glint_correlation(m), -GLINT_MAX_CORRELATION, GLINT_MAX_CORRELATION);
-    d.cov = rho * 0.5f * m.alpha_x * m.alpha_y;
+    d.cov = 0.5f * glint_correlation(m) * m.alpha_x * m.alpha_y;
     return d;
 }
 
+// The point that is seen, with everything that is smaller than the footprint.
 Glint glint_of(IN(BsdfParams) m) {
     Glint g;
-    g.slopes = glint_slopes(m);
-    g.uv = vec2(0.0f);
-    g.d0 = vec2(0.0f);
-    g.d1 = vec2(0.0f);
-    g.log_density = 0.0f;
-    g.area = 1.0f;
-    g.jitter = 0.0f;
-    g.k0 = vec2(0.0f);
-    g.k1 = vec2(0.0f);
-    g.dictionary = uvec2(0u);
-    g.seed = 0u;
+    g.k0 = vec2(m.slot_e.x, m.slot_e.y);
+    g.k1 = vec2(m.slot_e.z, m.slot_e.w);
+    g.slopes = glint_kernel_added(glint_material_slopes(m), g.k0, g.k1);
+    g.uv = vec2(m.slot_c.x, m.slot_c.y);
+    g.d0 = vec2(m.slot_d.x, m.slot_d.y);
+    g.d1 = vec2(m.slot_d.z, m.slot_d.w);
+    g.log_density = log(max(glint_facet_density(m), 1.0e-20f));
+    g.area = glint_area(m);
+    g.jitter = glint_jitter(m);
+    g.dictionary = m.table;
+    g.seed = uint(glint_seed(m));
     return g;
+}
+
+// Density of slopes, and the one by which they are drawn: only the dictionary has a sampling of its
+// own, the others' facets are met by chance.
+struct GlintDensity {
+    float value;
+    float drawn;
+};
+
+GlintDensity glint_density(uint method, IN(Glint) g, vec2 s) {
+    GlintDensity d;
+    d.drawn = method == GLINT_DICTIONARY ? glint_p22(g, s) : slopes_p22(g.slopes, s);
+    d.value = d.drawn;
+    if (method == GLINT_COUNTING || method == GLINT_ZIRR) {
+        float facets = method == GLINT_COUNTING ? glint_counting_p22(g, s) : glint_zirr_p22(g, s);
+        d.value = d.drawn > 0.0f ? facets : 0.0f;
+    }
+    return d;
 }
 
 // To the normal of the mesosurface, of length >= 1.
@@ -76,7 +106,8 @@ GltfFresnel glint_fresnel(IN(BsdfParams) m, float cos_h, float cos_t, float eta)
         vec3 schlick = lost ? vec3(1.0f) : gltf_dielectric_fresnel(m, cos_outside);
         float through = cos_t > 0.0f ? fresnel_transmittance(cos_h, cos_t, eta) : 0.0f;
         f.reflected = max(f.reflected + clear * (vec3(1.0f - through) - schlick), vec3(0.0f));
-        f.transmitted = m.base_color * (clear * through);
+        // slot_c.w: the share that never comes back, which a renderer fills in for deep water.
+        f.transmitted = m.base_color * (clear * through * (1.0f - m.slot_c.w));
     }
     return f;
 }
@@ -94,8 +125,24 @@ struct GlintLobe {
     float cos_t;  // behind the facet; only of a refraction
 };
 
-float glint_masking_g2(vec2 mean, vec2 s, vec3 wo, vec3 wi) {
-    return sheared_cavity_g2(mean, s, wo, wi);
+// Masking of a facet of slope s from both sides of the surface: before it (i too), or i behind it.
+float glint_masking_g2(uint masking, IN(Slopes) d, vec2 s, vec3 o, vec3 i) {
+    if (masking == GLINT_MASKING_SMITH) {
+        return slopes_smith_g2(d, o, i);
+    }
+    return masking == GLINT_MASKING_TILTED ? tilted_cavity_g2(d.mean, s, o, i)
+                                           : sheared_cavity_g2(d.mean, s, o, i);
+}
+
+// What hides light before the surface and behind it are different parts of a facet: the product.
+float glint_masking_through(uint masking, IN(Slopes) d, vec2 s, vec3 o, vec3 i) {
+    if (masking == GLINT_MASKING_SMITH) {
+        return slopes_smith_g1(d, o) * slopes_smith_g1(d, -i);
+    }
+    if (masking == GLINT_MASKING_TILTED) {
+        return tilted_cavity_g1(s, o) * tilted_cavity_g1_light(d.mean, s, -i);
+    }
+    return sheared_cavity_g1(d.mean, s, o) * sheared_cavity_g1(d.mean, s, -i);
 }
 
 GlintLobe glint_no_lobe() {
@@ -109,7 +156,7 @@ GlintLobe glint_no_lobe() {
 
 // o and i before the mesosurface.
 // [Walter et al. 2007, EGSR, equation 20; per projected area: Dupuy et al. 2013, equation 9]
-GlintLobe glint_reflection(IN(Glint) g, vec3 o, vec3 i) {
+GlintLobe glint_reflection(IN(BsdfParams) m, IN(Glint) g, vec3 o, vec3 i) {
     vec3 h = o + i;
     float h_length = length(h);
     if (!(h.z > 1.0e-6f * h_length)) {
@@ -118,19 +165,19 @@ GlintLobe glint_reflection(IN(Glint) g, vec3 o, vec3 i) {
     vec3 wm = h / h_length;
     vec2 s = slope_of(wm);
     float z2 = wm.z * wm.z;
-    float visible = 0.25f * glint_p22(g, s) / (z2 * z2 * slope_facing(g.slopes.mean, o));
+    float scale = 0.25f / (z2 * z2 * slope_facing(g.slopes.mean, o));
+    GlintDensity p22 = glint_density(glint_method(m), g, s);
     GlintLobe lobe;
     lobe.cos_h = min(0.5f * h_length, 1.0f);
     lobe.cos_t = 0.0f;
-    lobe.pdf = visible * sheared_cavity_g1(g.slopes.mean, s, o);
-    lobe.f_cos = visible * glint_masking_g2(g.slopes.mean, s, o, i);
+    lobe.pdf = scale * p22.drawn * sheared_cavity_g1(g.slopes.mean, s, o);
+    lobe.f_cos = scale * p22.value * glint_masking_g2(glint_masking(m), g.slopes, s, o, i);
     return lobe;
 }
 
-// o before and i behind the mesosurface; radiance, so that there is no eta^2 in the value. What
-// hides light before the surface and behind it are different parts of a facet: the product.
+// o before and i behind the mesosurface; radiance, so that there is no eta^2 in the value.
 // [Walter et al. 2007, EGSR, equations 17 and 21]
-GlintLobe glint_refraction(IN(Glint) g, vec3 o, vec3 i, float eta) {
+GlintLobe glint_refraction(IN(BsdfParams) m, IN(Glint) g, vec3 o, vec3 i, float eta) {
     vec3 h = o + eta * i;
     float square = dot(h, h);
     if (!(square > 0.0f)) {
@@ -146,14 +193,13 @@ GlintLobe glint_refraction(IN(Glint) g, vec3 o, vec3 i, float eta) {
     vec2 s = slope_of(wm);
     float z2 = wm.z * wm.z;
     float root = cos_oh + eta * cos_ih;
-    float visible = sheared_cavity_g1(mean, s, o) * cos_oh * glint_p22(g, s) /
-                    (z2 * z2 * slope_facing(mean, o));
-    float jacobian = -cos_ih / (root * root);
+    float scale = -cos_ih * cos_oh / (root * root * z2 * z2 * slope_facing(mean, o));
+    GlintDensity p22 = glint_density(glint_method(m), g, s);
     GlintLobe lobe;
     lobe.cos_h = cos_oh;
     lobe.cos_t = -cos_ih;
-    lobe.pdf = visible * jacobian * eta * eta;
-    lobe.f_cos = visible * jacobian * sheared_cavity_g1(mean, s, -i);
+    lobe.pdf = scale * p22.drawn * sheared_cavity_g1(mean, s, o) * eta * eta;
+    lobe.f_cos = scale * p22.value * glint_masking_through(glint_masking(m), g.slopes, s, o, i);
     return lobe;
 }
 
