@@ -229,6 +229,23 @@ def ocean_part(results):
         ["part", "wall", "all threads"], rows)
 
 
+def glint_part(results):
+    if not results.get("glint"):
+        return []
+    r = results["glint"]
+    methods = ("smooth", "dictionary", "counting", "zirr", "sample")
+    rows = [[name] + [number(t[m], 0) for m in methods]
+            + [f"{1000 / t['dictionary']['value']:.1f}"]
+            for name, t in r["footprints"].items()]
+    return ["## Glints", "",
+            "Nanoseconds on one core (AVX2) for the light of one facet of water (Fresnel, density",
+            "of slopes, V-cavity masking) under one light, by method and by the footprint's axes,",
+            "and for a sample of the dictionary's slopes: median (least..most); millions of",
+            f"evaluations a second with the dictionary. {r['machine']['date']}, load average "
+            f"{r['machine']['load_average_at_start'][0]:.2f}.", ""] + table(
+        ["footprint", *methods, "million/s"], rows)
+
+
 def markdown(results):
     m = results["machine"]
     lines = ["# Speed, measured", "",
@@ -242,6 +259,6 @@ def markdown(results):
     lines += ["## Targets", ""]
     lines += table(["what", "target", "reached", "met"], target_rows(results))
     for part in (rays_part, cycles_part, diffuse_part, build_part, scaling_part, memory_part,
-                 models_part, realtime_part, ocean_part):
+                 models_part, realtime_part, ocean_part, glint_part):
         lines += part(results)
     return "\n".join(lines)

@@ -14,6 +14,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import report
+from glint import glint
 from models import models
 from ocean import ocean
 from realtime import changing, realtime
@@ -201,9 +202,9 @@ def arguments():
     parser.add_argument("--quick", action="store_true", help="fewer samples, one round")
     parser.add_argument("--scenes", default="", help="only these, with commas between them")
     parser.add_argument("--no-cycles", action="store_true", help="do not run Blender")
-    parser.add_argument("--only", choices=["bsdf", "realtime", "ocean"],
-                        help="measure the reflectance models, real-time frames, or the sea, "
-                             "alone; the rest of results.json stays")
+    parser.add_argument("--only", choices=["bsdf", "realtime", "ocean", "glint"],
+                        help="measure the reflectance models, real-time frames, the sea, or "
+                             "glints, alone; the rest of results.json stays")
     parser.add_argument("--build", default="build/release", help="build tree (default %(default)s)")
     parser.add_argument("--output", default=os.path.dirname(os.path.abspath(__file__)),
                         help="folder for results.json and results.md (default bench/)")
@@ -246,6 +247,7 @@ def measure(programs, args, folder):
     results["models"] = models(args.build, args.quick)
     results["realtime"] = realtime_frames(programs, args, folder)
     results["ocean"] = ocean(args.build, args.quick)
+    results["glint"] = glint(args.build, args.quick)
     return results
 
 
@@ -268,6 +270,10 @@ def with_section_again(args, folder):
             sys.exit("bench: nothing was measured")
     elif args.only == "ocean":
         results["ocean"] = ocean(args.build, args.quick)
+    elif args.only == "glint":
+        results["glint"] = glint(args.build, args.quick)
+        if results["glint"] is None:
+            sys.exit("bench: nothing was measured")
     else:
         results["realtime"] = realtime_frames(Programs(args.build), args, folder)
     return results

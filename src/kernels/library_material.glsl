@@ -5,8 +5,10 @@
 #define GP_KERNELS_LIBRARY_MATERIAL_GLSL
 #include "kernels/pixel_turn.glsl"
 #include "kernels/shading_point.glsl"
+#include "kernels/slope_map.glsl"
 #include "shading/bsdf/blend.glsl"
 #include "shading/bsdf/bsdf.glsl"
+#include "shading/slope/mean_slope.glsl"
 
 BsdfParams library_params(IN(MaterialRecord) m, IN(Surface) s, vec3 base, float u_lod) {
     BsdfParams b = load_bsdf(m.bsdf);
@@ -25,6 +27,31 @@ BsdfParams library_params(IN(MaterialRecord) m, IN(Surface) s, vec3 base, float 
     return b;
 }
 
+// The change of texture coordinates (0 or 1) where the hit moves by these barycentrics.
+vec2 coordinate_change(IN(Surface) s, uint tex_coord, vec2 corners) {
+    uint geometry = load_instance(s.hit.instance).geometry;
+    if (tex_coord == 0u) {
+        TriangleCorners c = load_triangle(geometry, s.hit.primitive);
+        return (c.uv1 - c.uv0) * corners.x + (c.uv2 - c.uv0) * corners.y;
+    }
+    vec2 first = load_uv1(geometry, s.hit.primitive, 0.0f, 0.0f);
+    return (load_uv1(geometry, s.hit.primitive, 1.0f, 0.0f) - first) * corners.x
+         + (load_uv1(geometry, s.hit.primitive, 0.0f, 1.0f) - first) * corners.y;
+}
+
+// What the normal map holds within the footprint, in the frame that the material is evaluated in.
+Slopes mapped_slopes(IN(MaterialRecord) m, IN(Surface) s, IN(PixelTurns) t, bool from_back) {
+    vec2 d0 = coordinate_change(s, m.normal_slot.tex_coord, t.a.corners);
+    vec2 d1 = coordinate_change(s, m.normal_slot.tex_coord, t.b.corners);
+    Slopes d = read_slope_map(m.normal_slot.slope_map, slot_position(m.normal_slot, s),
+                              slot_change(m.normal_slot, d0), slot_change(m.normal_slot, d1));
+    d = slopes_scaled(d, vec2(m.normal_scale));
+    if (m.anisotropy_rotation != 0.0f) {
+        d = slopes_turned(d, cos(m.anisotropy_rotation), sin(m.anisotropy_rotation));
+    }
+    return from_back ? slopes_of_back(d) : d;
+}
+
 // The change of the half vector's slope along one axis of the pixel, where the light comes from the
 // mirror direction: glints are near it, and for all of them the change is about the same. That
 // light comes from nearby is neglected. [Chermain et al. 2021, section 5]
@@ -34,15 +61,18 @@ vec2 glint_kernel_axis(IN(PixelTurn) t, IN(Frame) f, vec3 wo, float inv_viewer) 
     return vec2(-change.x, -change.y);
 }
 
-// What the pixel sees of the facets: where in the texture coordinates, how much of them, and how
-// the half vector changes from one of its edges to the other.
-BsdfParams glint_params_at(BsdfParams b, IN(Surface) s, IN(Frame) frame, vec3 wo) {
+// Whether a normal map is read as slopes: the surface stays in the frame of its geometry then.
+bool has_slope_map(IN(MaterialRecord) m) {
+    return (m.textures & SLOT_NORMAL) != 0u && m.normal_slot.slope_map != NO_INDEX;
+}
+
+// What the pixel sees of the facets: where in the texture coordinates, how much of them, how the
+// half vector changes from one of its edges to the other; and what the normal map has there.
+BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN(Frame) frame,
+                           vec3 wo) {
     PixelTurns t = pixel_turns(s.hit, -wo, s.cone);
-    TriangleCorners c = load_triangle(load_instance(s.hit.instance).geometry, s.hit.primitive);
-    vec2 along_u = c.uv1 - c.uv0;
-    vec2 along_v = c.uv2 - c.uv0;
-    vec2 d0 = along_u * t.a.corners.x + along_v * t.a.corners.y;
-    vec2 d1 = along_u * t.b.corners.x + along_v * t.b.corners.y;
+    vec2 d0 = coordinate_change(s, 0u, t.a.corners);
+    vec2 d1 = coordinate_change(s, 0u, t.b.corners);
     // Without texture coordinates there is nothing to count facets in.
     if (d0 == vec2(0.0f) && d1 == vec2(0.0f)) { b.slot_b.x = float(GLINT_SMOOTH); }
     // The distance to where the cone is a point.
@@ -53,6 +83,12 @@ BsdfParams glint_params_at(BsdfParams b, IN(Surface) s, IN(Frame) frame, vec3 wo
     b.slot_c.y = s.uv0.y;
     b.slot_d = vec4(d0, d1);
     b.slot_e = vec4(k0, k1);
+    if (has_slope_map(m)) {
+        bool from_back = s.front == 0u && (m.flags & MATERIAL_SOLID) == 0u;
+        b = glint_with_slopes(
+            b, slopes_added(glint_material_slopes(b), mapped_slopes(m, s, t, from_back)));
+    }
+    // What is seen although its mean slope turns away from the viewer is bent until it is not.
     vec3 wo_local = local_from_world(frame, wo);
     if (wo_local.z > 0.0f) {
         vec2 mean = slope_mean_in_view(glint_mean(b), wo_local);
@@ -70,14 +106,14 @@ OUT_OF_LINE ShadingPoint library_point(IN(MaterialRecord) m, IN(Surface) s, vec3
     p.emission = emission;
     p.attenuation = m.attenuation;
     p.flags = m.flags;
-    p.frame = mapped_frame(m, s, u_lod);
+    p.frame = has_slope_map(m) ? s.frame : mapped_frame(m, s, u_lod);
     if (m.anisotropy_rotation != 0.0f) {
         p.frame = turned_frame(
             p.frame, vec2(cos(m.anisotropy_rotation), sin(m.anisotropy_rotation)));
     }
     p.frame = face_viewer(s, p.frame, wo, (m.flags & MATERIAL_SOLID) != 0u);
     if ((m.flags & MATERIAL_GLINT) != 0u) {
-        p.bsdf = glint_params_at(p.bsdf, s, p.frame, wo);
+        p.bsdf = glint_params_at(p.bsdf, m, s, p.frame, wo);
     }
     return p;
 }

@@ -17,12 +17,20 @@ struct ShadingPoint {
 
 #define FINEST_LEVEL -1000.0f  // a Surface::lod that reads level 0 of any texture
 
+// Where a slot reads, and how that changes with texture coordinates.
+vec2 slot_position(IN(TextureSlot) slot, IN(Surface) s) {
+    vec2 uv = slot.tex_coord == 0u ? s.uv0 : s.uv1;
+    return vec2(slot.row_u.x * uv.x + slot.row_u.y * uv.y + slot.row_u.z,
+                slot.row_v.x * uv.x + slot.row_v.y * uv.y + slot.row_v.z);
+}
+
+vec2 slot_change(IN(TextureSlot) slot, vec2 d) {
+    return vec2(slot.row_u.x * d.x + slot.row_u.y * d.y, slot.row_v.x * d.x + slot.row_v.y * d.y);
+}
+
 // u_lod in [0, 1) chooses between the two nearest levels of detail: one look-up, linear on average.
 vec4 read_slot(IN(TextureSlot) slot, IN(Surface) s, float u_lod) {
-    vec2 uv = slot.tex_coord == 0u ? s.uv0 : s.uv1;
-    vec2 moved = vec2(slot.row_u.x * uv.x + slot.row_u.y * uv.y + slot.row_u.z,
-                      slot.row_v.x * uv.x + slot.row_v.y * uv.y + slot.row_v.z);
-    return sample_texture(slot.texture_index, moved, s.lod, u_lod);
+    return sample_texture(slot.texture_index, slot_position(slot, s), s.lod, u_lod);
 }
 
 // A tangent-space normal from a map, its slope scaled.

@@ -39,6 +39,17 @@ float squeezeOfOthers(const OceanSettings& s, const SpectrumTable& table, uint32
     return s.choppiness * float(std::sqrt(std::max(variance, 0.0)));
 }
 
+// Their geometric mean over their product; 0 where a cascade has no foam at all.
+float foamScaleOf(const std::vector<OceanCascade>& cascades) {
+    double sum = 0.0;
+    for (const OceanCascade& c : cascades) {
+        const float mean = c.slopes.whole().foam;
+        if (mean < 1.0e-12f) return 0.0f;
+        sum += std::log(double(mean));
+    }
+    return float(std::exp(sum / double(cascades.size()) - sum));
+}
+
 }  // namespace
 
 OceanCascade::OceanCascade(const OceanSettings& s, uint32_t cascade, float others)
@@ -88,6 +99,7 @@ void Ocean::Parts::update(double seconds) {
                             });
         cascade.slopes.build(cascade.points.data(), settings.size);
     }
+    foamScale = foamScaleOf(cascades);
 }
 
 Ocean::Ocean(const OceanSettings& settings) : parts_(std::make_unique<Parts>(settings)) {

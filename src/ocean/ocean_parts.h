@@ -45,6 +45,10 @@ struct Ocean::Parts {
     SpectrumTable table;
     std::vector<OceanCascade> cascades;
     double time = 0.0;
+    // What foam of all cascades is, over the product of that of each. Each is the chance of foam
+    // given one cascade alone, and their means are nearly the same: given all, it is the mean times
+    // what each changes it by, if they are independent.
+    float foamScale = 0.0f;
 };
 
 }  // namespace gp

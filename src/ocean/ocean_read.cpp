@@ -12,25 +12,30 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
-// The four grid points around a position, and the weight of each.
+// The four grid points around a position of -1 or more, and the weight of each.
 struct Corners {
     int x, y;
     float weights[4];
 };
 
 Corners cornersOf(vec2 grid) {
-    const vec2 cell(std::floor(grid.x), std::floor(grid.y));
-    const vec2 f = grid - cell;
-    return {int(cell.x), int(cell.y),
+    const int x = int(grid.x + 1.0f) - 1, y = int(grid.y + 1.0f) - 1;
+    const vec2 f = grid - vec2(float(x), float(y));
+    return {x, y,
             {(1.0f - f.x) * (1.0f - f.y), f.x * (1.0f - f.y), (1.0f - f.x) * f.y, f.x * f.y}};
 }
 
-// Of a length, so that its integer part stays small however far the position is.
-float wrapped(float v, float length) { return v - length * std::floor(v / length); }
+// Places in a period of 1, 0 to 1, as far as numbers go that have a fraction. (std::floor is a call
+// in code for every processor.)
+float wrapped(float v) {
+    if (!(std::abs(v) < 8388608.0f)) return 0.0f;
+    const float f = v - float(int(v));
+    return f < 0.0f ? f + 1.0f : f;
+}
 
 vec2 gridPosition(const OceanCascade& c, vec2 rest) {
-    const float length = c.waves.length;
-    return vec2(wrapped(rest.x, length), wrapped(rest.y, length)) * (float(c.waves.size) / length);
+    const vec2 period = rest * (1.0f / c.waves.length);
+    return vec2(wrapped(period.x), wrapped(period.y)) * float(c.waves.size);
 }
 
 void accumulate(OceanPoint& sum, const OceanPoint& p, float weight) {
@@ -40,33 +45,14 @@ void accumulate(OceanPoint& sum, const OceanPoint& p, float weight) {
     sum.stretch += weight * p.stretch;
 }
 
-OceanPoint pointAt(const OceanCascade& c, vec2 rest) {
-    const Corners corners = cornersOf(gridPosition(c, rest));
+OceanPoint pointAt(const OceanCascade& c, vec2 grid) {
+    const Corners corners = cornersOf(grid);
     OceanPoint sum;
     for (int i = 0; i < 4; ++i) {
         accumulate(sum, c.point(corners.x + i % 2, corners.y + i / 2), corners.weights[i]);
     }
     return sum;
 }
-
-// Foam of all cascades from that of each. Each is the chance of foam given one cascade alone, and
-// their means are nearly the same: given all, it is the mean times what each changes it by, if
-// they are independent.
-class FoamProduct {
-public:
-    void add(float foam, float mean) {
-        logMean_ += std::log(std::max(mean, 1.0e-30f));
-        product_ *= mean > 0.0f ? foam / mean : 0.0f;
-        ++count_;
-    }
-    float foam() const {
-        return std::clamp(product_ * std::exp(logMean_ / float(count_)), 0.0f, 1.0f);
-    }
-
-private:
-    float logMean_ = 0.0f, product_ = 1.0f;
-    int count_ = 0;
-};
 
 // Where and how coarsely a cascade is read for a footprint.
 struct Probes {
@@ -76,9 +62,14 @@ struct Probes {
 };
 
 // A long footprint is read several times along its longer side. A node's weight falls off linearly
-// to both sides, which is twice the variance of a box: hence nodes are narrower by sqrt(2).
+// to both sides, which is twice the variance of a box: hence nodes are narrower by sqrt(2). More
+// than four readings would cost more than they show: what is then too wide has its variance in cov.
 Probes probesOf(const OceanCascade& c, uint32_t levels, vec2 rest, vec2 d0, vec2 d1) {
-    constexpr float most = 16.0f;
+    constexpr float most = 4.0f;
+    if (!(glm::dot(d0, d0) + glm::dot(d1, d1) < 1.0e16f)) {
+        // As good as infinite, or no number at all: the whole sea.
+        return {1, rest, vec2(0.0f), float(levels - 1)};
+    }
     const float texel = c.waves.length / float(c.waves.size);
     const bool firstIsLonger = glm::dot(d0, d0) >= glm::dot(d1, d1);
     const vec2 axis = firstIsLonger ? d0 : d1;
@@ -98,17 +89,16 @@ Probes probesOf(const OceanCascade& c, uint32_t levels, vec2 rest, vec2 d0, vec2
     return probes;
 }
 
-void addLevel(SlopeSum& sum, const OceanCascade& c, uint32_t level, vec2 position, float share) {
+void addLevel(SlopeSum& sum, const OceanCascade& c, uint32_t level, vec2 grid, float share) {
     if (share <= 0.0f) return;
     if (level == 0) {
         // Between points the surface is what is interpolated: nothing varies.
-        sum.add(slopeNode(pointAt(c, position)), share);
+        sum.add(slopeNode(pointAt(c, grid)), share);
         return;
     }
     // The centre of node i of level l is grid position (i + 1/2) 2^l - 1/2.
     const float scale = 1.0f / float(1u << level);
-    const Corners corners =
-        cornersOf((gridPosition(c, position) + vec2(0.5f)) * scale - vec2(0.5f));
+    const Corners corners = cornersOf((grid + vec2(0.5f)) * scale - vec2(0.5f));
     for (int i = 0; i < 4; ++i) {
         if (corners.weights[i] <= 0.0f) continue;
         sum.add(c.slopes.at(level, corners.x + i % 2, corners.y + i / 2),
@@ -119,12 +109,13 @@ void addLevel(SlopeSum& sum, const OceanCascade& c, uint32_t level, vec2 positio
 SlopeNode nodeOver(const OceanCascade& c, vec2 rest, vec2 d0, vec2 d1) {
     const Probes probes = probesOf(c, c.slopes.levels(), rest, d0, d1);
     const auto level = uint32_t(probes.level);
+    if (level + 1 == c.slopes.levels()) return c.slopes.whole();
     const float f = probes.level - float(level);
     SlopeSum sum;
     for (int i = 0; i < probes.count; ++i) {
-        const vec2 position = probes.first + float(i) * probes.step;
-        addLevel(sum, c, level, position, 1.0f - f);
-        addLevel(sum, c, level + 1, position, f);
+        const vec2 grid = gridPosition(c, probes.first + float(i) * probes.step);
+        addLevel(sum, c, level, grid, 1.0f - f);
+        addLevel(sum, c, level + 1, grid, f);
     }
     return sum.node();
 }
@@ -145,13 +136,13 @@ vec3 squeezed(vec3 cov, vec3 stretch) {
 
 OceanPoint Ocean::at(glm::vec2 rest) const {
     OceanPoint sum;
-    FoamProduct foam;
+    float foam = parts_->foamScale;
     for (const OceanCascade& c : parts_->cascades) {
-        const OceanPoint p = pointAt(c, rest);
+        const OceanPoint p = pointAt(c, gridPosition(c, rest));
         accumulate(sum, p, 1.0f);
-        foam.add(p.foam, c.slopes.whole().foam);
+        foam *= p.foam;
     }
-    sum.foam = foam.foam();
+    sum.foam = std::min(foam, 1.0f);
     return sum;
 }
 
@@ -170,18 +161,18 @@ glm::vec3 Ocean::displacement(glm::vec2 rest) const {
 OceanSlopes Ocean::slopes(glm::vec2 rest, glm::vec2 d0, glm::vec2 d1) const {
     std::array<SlopeNode, oceanMostCascades> nodes;
     OceanPoint all;
-    FoamProduct foam;
+    float foam = parts_->foamScale;
     const size_t count = parts_->cascades.size();
     for (size_t i = 0; i < count; ++i) {
         const OceanCascade& c = parts_->cascades[i];
         nodes[i] = nodeOver(c, rest, d0, d1);
         all.gradient += nodes[i].gradient;
         all.stretch += nodes[i].stretch;
-        foam.add(nodes[i].foam, c.slopes.whole().foam);
+        foam *= nodes[i].foam;
     }
     OceanSlopes result;
     result.mean = all.slope();
-    result.foam = foam.foam();
+    result.foam = std::min(foam, 1.0f);
     vec3 cov(0.0f);
     for (size_t i = 0; i < count; ++i) {
         const SlopeNode& node = nodes[i];

@@ -23,30 +23,21 @@ SlopeNode slopeNode(const OceanPoint& point) {
     return node;
 }
 
-void SlopeSum::add(const SlopeNode& node, float share) {
-    if (share_ == 0.0f) about_ = node.mean;
-    const float w = share * node.weight;
-    const glm::vec2 d = node.mean - about_;
-    share_ += share;
-    weight_ += w;
-    foam_ += share * node.foam;
-    first_ += w * d;
-    second_ += w * (node.cov + glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y));
-    gradient_ += share * node.gradient;
-    stretch_ += share * node.stretch;
-}
+static_assert(sizeof(SlopeNode) == 12 * sizeof(float), "SlopeSum reads three vectors");
 
 SlopeNode SlopeSum::node() const {
     SlopeNode node;
-    const glm::vec2 d = first_ / weight_;
-    node.foam = foam_ / share_;
-    node.weight = weight_ / share_;
-    node.mean = about_ + d;
-    node.cov = second_ / weight_ - glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
+    const float weight = sums_[0][1], perShare = 1.0f / share_, perWeight = 1.0f / weight;
+    const glm::vec2 d = perWeight * glm::vec2(sums_[0][2], sums_[0][3]);
+    node.foam = perShare * sums_[0][0];
+    node.weight = perShare * weight;
+    node.mean = glm::vec2(about_[2], about_[3]) + d;
+    node.cov = perWeight * glm::vec3(sums_[1][0], sums_[1][1], sums_[1][2])
+             - glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
     node.cov.x = std::max(node.cov.x, 0.0f);
     node.cov.y = std::max(node.cov.y, 0.0f);
-    node.gradient = gradient_ / share_;
-    node.stretch = stretch_ / share_;
+    node.gradient = perShare * glm::vec2(sums_[1][3], sums_[2][0]);
+    node.stretch = perShare * glm::vec3(sums_[2][1], sums_[2][2], sums_[2][3]);
     return node;
 }
 
@@ -73,11 +64,6 @@ void SlopePyramid::build(const OceanPoint* points, uint32_t size) {
             for (uint32_t y = 0; y < n; ++y) row(y);
         }
     }
-}
-
-const SlopeNode& SlopePyramid::at(uint32_t level, int ix, int iy) const {
-    const uint32_t n = size_ >> level;
-    return levels_[level - 1][size_t(uint32_t(iy) & (n - 1)) * n + (uint32_t(ix) & (n - 1))];
 }
 
 }  // namespace gp

@@ -70,6 +70,7 @@ void updateTexture(Texture& texture, const TexelRect& rect, const std::byte* row
                                                                       texture.format,
                                                                       width * height));
     fillMipLevels(texture, rect);
+    ++texture.revision;
 }
 
 }  // namespace gp

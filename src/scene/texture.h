@@ -30,6 +30,7 @@ struct Texture {
     Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
     Filter magFilter = Filter::linear, minFilter = Filter::linear;
     bool mipmapped = true;
+    uint64_t revision = 0;         // grows with every change of the pixels
     bool hasAlpha = false;         // some texel's alpha is below one
     std::vector<MipLevel> levels;  // level 0 is the image itself
     LargeVector<std::byte> pixels; // all levels, level 0 first

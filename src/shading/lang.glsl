@@ -5,6 +5,7 @@
 #define INOUT(T) inout T
 #define LET_REF(T) T
 #define OUT_OF_LINE
+#define IN_LOOPS
 #define CONST_TABLE const
 
 // Numbers in memory, see lang.h. A compiler without buffer references (WebGL's) has no tables.

@@ -19,6 +19,8 @@
 // A function that the hot code only meets by way of exception: kept out of it. (Not gnu::cold: that
 // would compile it for size.)
 #define OUT_OF_LINE [[gnu::noinline]]
+// A function of which a loop can only be turned into vectors where it is part of the loop.
+#define IN_LOOPS [[gnu::always_inline]] inline
 // An array of numbers that a function looks things up in.
 #define CONST_TABLE static constexpr
 

@@ -13,7 +13,7 @@ struct SinCos {
 
 // Sine and cosine of up to an eighth of a turn to both sides. Chebyshev fits of our own of
 // sin(2 pi r) / r and cos(2 pi r) in r^2.
-SinCos sincos_eighth(float r) {
+IN_LOOPS SinCos sincos_eighth(float r) {
     float r2 = r * r;
     SinCos result;
     result.s = r * (6.28318529f + r2 * (-41.3416626f + r2 * (81.59254821f - r2 * 75.40184032f)));

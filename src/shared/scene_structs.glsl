@@ -69,7 +69,7 @@ struct TextureSlot {
     vec4 row_v;
     uint texture_index;
     uint tex_coord;  // 0 or 1
-    uint pad0;
+    uint slope_map;  // of a normal map that is read as slopes: for load_slope_map; else NO_INDEX
     uint pad1;
 };
 

@@ -76,6 +76,15 @@ double separableAlbedo(const Slopes& d, vec3 wo) {
     return facing > 0.0 ? sum / facing : 0.0;
 }
 
+// What the shipped shader of the earlier work makes of it.
+double shippedAlbedo(float sigma, vec2 mean, vec3 wo) {
+    return meanOverSlopes(slopesOf(0, 0, sigma, sigma, 0), [&](vec2 s) {
+        const vec3 h = facet_of(s);
+        return std::max(slope_facing(s, wo), 0.0f)
+             * shipped_cavity_g2(mean, h, wo, reflect(-wo, h));
+    }, {700, 7.0});
+}
+
 std::vector<std::string> auditLines(const std::string& start) {
     std::ifstream in(std::filesystem::path(GP_SOURCE_DIR) / ".." / "shared" / "golden" / "glint" /
                      "vcavity_results.txt");
@@ -137,8 +146,8 @@ TEST(CavityAudit, VisibleAreasAsPublished) {
     EXPECT_EQ(compared, 48);
 }
 
-// T3, its columns a (about the mean 0) and c (sheared). Where the horizon cuts the lobe, the two
-// grids differ by 2e-4.
+// T3: columns a (about the mean 0), b (the shipped shader) and c (sheared). Where the horizon cuts
+// the lobe, the two grids differ by 2e-4.
 TEST(CavityAudit, AlbedosAsPublished) {
     const std::vector<std::string> lines = auditLines("sig 0.");
     SKIP_WITHOUT_AUDIT(lines);
@@ -152,6 +161,7 @@ TEST(CavityAudit, AlbedosAsPublished) {
         }
         const vec3 wo = directionAt(theta, phi);
         EXPECT_NEAR(separableAlbedo(slopesOf(0, 0, sigma, sigma, 0), wo), a, 5e-4) << line;
+        EXPECT_NEAR(shippedAlbedo(sigma, vec2(mean, 0.0f), wo), b, 5e-4) << line;
         EXPECT_NEAR(separableAlbedo(slopesOf(mean, 0, sigma, sigma, 0), wo), c, 5e-4) << line;
         ++compared;
     }
@@ -170,6 +180,10 @@ TEST(CavityAudit, InShort) {
     EXPECT_NEAR(grazing.sheared / grazing.facing, 1.0, 1e-5);
     EXPECT_NEAR(separableAlbedo(slopesOf(0.2f, 0, 0.1f, 0.1f, 0), directionAt(80, 180)), 0.9718,
                 3e-4);
+    EXPECT_NEAR(shippedAlbedo(0.05f, vec2(1.0f, 0.0f), directionAt(30, 180)), 1.1356, 5e-4);
+    EXPECT_NEAR(shippedAlbedo(0.1f, vec2(0.0f), directionAt(80, 0)), 0.1616, 3e-4);
+    const vec3 up(0, 0, 1);
+    EXPECT_EQ(shipped_cavity_g2(vec2(0.5f, 0.1f), up, up, up), 1.0f);  // h = n is a number
 }
 
 // A groove keeps its area as a distribution does, at every tilt and view that sees it.

@@ -11,6 +11,7 @@
 
 GP_SHADING_BEGIN
 #include "shading/glint/glint.glsl"
+#include "shading/slope/sheared_cavity.glsl"
 GP_SHADING_END
 
 namespace gp::test {

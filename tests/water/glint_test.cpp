@@ -122,6 +122,24 @@ TEST(Glint, SymmetricAboutTheMean) {
     }
 }
 
+// What the masking function lets through of the facets is what the mesosurface shows, for single
+// glints as for the mean: they are symmetric. The sum is over pairs, so that it is as exact as P22.
+TEST(Glint, VisibleAreaIsThatOfTheMesosurface) {
+    for (const NamedGlint& c : glintCases()) {
+        for (const float degrees : {0.0f, 40.0f, 70.0f, 85.0f}) {
+            const float theta = degrees / 57.29578f;
+            const vec3 w(-0.8f * std::sin(theta), 0.6f * std::sin(theta), std::cos(theta));
+            const vec2 mean = c.glint.slopes.mean;
+            const float facing = slope_facing(mean, w);
+            const double visible = slopeIntegral(c.glint, 12, [&](vec2 s) {
+                return sheared_cavity_g1(mean, s, w) * std::max(slope_facing(s, w), 0.0f);
+            });
+            const double all = slopeIntegral(c.glint, 12, [](vec2) { return 1.0f; });
+            EXPECT_NEAR(visible / (double(facing) * all), 1.0, 1e-3) << c.name << ' ' << degrees;
+        }
+    }
+}
+
 // A kernel spreads the glints out: as much light, less contrast. Without it they keep theirs.
 TEST(Glint, KernelTakesContrastAway) {
     Glint g = exampleGlint();

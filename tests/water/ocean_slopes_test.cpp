@@ -1,5 +1,6 @@
 // Slopes over a footprint: the pyramid, the spectrum alone, and a brute-force average agree.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -150,6 +151,19 @@ TEST(OceanSlopes, CovariancesAreCovariances) {
         EXPECT_GE(s.foam, 0.0f);
         EXPECT_LE(s.foam, 1.0f);
         EXPECT_TRUE(std::isfinite(s.mean.x + s.mean.y));
+    }
+}
+
+TEST(OceanSlopes, OfFootprintsWithoutEndAreThoseOfTheWholeSea) {
+    const Ocean ocean(sea(1.0f));
+    const OceanSlopes whole = ocean.slopes({0.0f, 0.0f}, {1.0e5f, 0.0f}, {0.0f, 1.0e5f});
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::nanf("");
+    for (const float bad : {inf, -inf, nan}) {
+        const OceanSlopes a = ocean.slopes({1.0f, 2.0f}, {bad, 0.0f}, {0.0f, 1.0f});
+        EXPECT_EQ(a.varX, whole.varX) << bad;
+        EXPECT_EQ(a.mean, whole.mean) << bad;
+        const OceanSlopes b = ocean.slopes({bad, 2.0f}, {1.0f, 0.0f}, {0.0f, 1.0f});
+        EXPECT_TRUE(std::isfinite(b.varX + b.varY + b.cov + b.mean.x + b.mean.y + b.foam)) << bad;
     }
 }
 

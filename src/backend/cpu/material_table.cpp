@@ -27,6 +27,7 @@ MaterialTable::~MaterialTable() = default;
 void MaterialTable::show(SceneView& view) const {
     view.materials = records_.data();
     view.textures = textures_.data();
+    view.slopeMaps = slopeMapViews_.data();
     view.bsdfs = bsdfs_->all.data();
     view.bsdfLayers = layers_.data();
     view.textureLayers = textureLayers_.data();
@@ -39,7 +40,7 @@ void MaterialTable::fillUse(TextureSlot& slot, const TextureUse& use) {
         textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
     if (fresh) textures_.push_back(textureView(*use.texture));
     slot.texture_index = it->second;
-    slot.tex_coord = use.texCoord;
+    slot.tex_coord = use.texCoord, slot.slope_map = NO_INDEX;
     const glm::mat3x2& m = use.uvTransform;
     slot.row_u = {m[0][0], m[1][0], m[2][0], 0};
     slot.row_v = {m[0][1], m[1][1], m[2][1], 0};
@@ -50,6 +51,21 @@ void MaterialTable::fillSlot(MaterialRecord& r, TextureSlot& slot, uint32_t bit,
     if (!use.texture) return;
     fillUse(slot, use);
     r.textures |= bit;
+}
+
+void MaterialTable::fillSlopeMap(TextureSlot& slot, const std::shared_ptr<const Texture>& texture) {
+    const auto [it, fresh] = slopeMaps_.try_emplace(texture.get());
+    MappedSlopes& slopes = it->second;
+    if (fresh || slopes.revision != texture->revision) {
+        slopes.texture = texture, slopes.revision = texture->revision;
+        slopes.map = slopeMapFromNormals(*texture);
+        slopes.index = NO_INDEX;
+    }
+    if (slopes.index == NO_INDEX) {
+        slopes.index = uint32_t(slopeMapViews_.size());
+        slopeMapViews_.push_back(slopeMapView(slopes.map));
+    }
+    slot.slope_map = slopes.index;
 }
 
 void MaterialTable::fillSlots(MaterialRecord& r, const Material& m) {
@@ -139,6 +155,8 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colore
     r.attenuation = prepared.thin != 0u ? glm::vec3(0)
         : shading::medium_absorption(m.attenuationColor, m.attenuationDistance);
     if (masked) r.flags |= MATERIAL_NEEDS_UV;
+    if (r.model == MODEL_GLINT && m.normalTexture.texture)
+        fillSlopeMap(r.normal_slot, m.normalTexture.texture);
     if (m.sea != SeaWater::none) r.flags |= MATERIAL_SEA | MATERIAL_NEEDS_UV;
     if (m.sea == SeaWater::deep) r.flags &= ~MATERIAL_SOLID;
     r.anisotropy = 1;  // any model may ask for tangents
@@ -198,6 +216,8 @@ void MaterialTable::fill(const Scene& scene) {
     records_.clear(), index_.clear(), owners_.clear();
     textures_.clear(), textureIndex_.clear();
     layers_.clear(), bsdfs_->all.clear(), textureLayers_.clear();
+    slopeMapViews_.clear();
+    for (auto& [texture, slopes] : slopeMaps_) slopes.index = NO_INDEX;
     // Colours of vertices count where any mesh of a material has them.
     std::unordered_map<const Material*, bool> vertexColors;
     for (const auto& instance : scene.instances)
@@ -213,6 +233,7 @@ void MaterialTable::fill(const Scene& scene) {
                                   !m.textureLayers.empty() || instance->color != glm::vec4(1));
         records_.push_back(r);
     }
+    std::erase_if(slopeMaps_, [](const auto& entry) { return entry.second.index == NO_INDEX; });
 }
 
 }  // namespace gp::cpu

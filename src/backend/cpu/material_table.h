@@ -8,6 +8,7 @@
 
 #include "backend/cpu/scene_view.h"
 #include "scene/scene.h"
+#include "scene/slope_map.h"
 
 namespace gp::cpu {
 
@@ -40,6 +41,7 @@ private:
     void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
                   const TextureUse& use);
     void fillUse(shared::TextureSlot& slot, const TextureUse& use);
+    void fillSlopeMap(shared::TextureSlot& slot, const std::shared_ptr<const Texture>& texture);
     void fillLayers(shared::MaterialRecord& r, const Material& m, bool colored);
     void fillTextureLayers(shared::MaterialRecord& r, const Material& m, glm::vec4 color);
 
@@ -48,6 +50,15 @@ private:
     std::vector<std::shared_ptr<const Material>> owners_;
     std::vector<TextureView> textures_;
     std::unordered_map<const Texture*, uint32_t> textureIndex_;
+    // Made once for a texture and the pixels that it has.
+    struct MappedSlopes {
+        std::shared_ptr<const Texture> texture;
+        uint64_t revision;
+        SlopeMap map;
+        uint32_t index;  // NO_INDEX: not used since the last fill
+    };
+    std::unordered_map<const Texture*, MappedSlopes> slopeMaps_;
+    std::vector<SlopeMapView> slopeMapViews_;
     std::vector<shared::BsdfLayerRecord> layers_;
     std::vector<shared::TextureLayerRecord> textureLayers_;
     std::unique_ptr<Bsdfs> bsdfs_;

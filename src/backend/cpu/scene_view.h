@@ -30,6 +30,13 @@ struct TextureView {
     uint8_t magNearest, minNearest;
 };
 
+// An image of slope moments: gp::SlopeMap.
+struct SlopeMapView {
+    const void* levels[16];     // texels of each level, gp::PackedSlopes
+    shared::SlopeMapSize size;
+    uint8_t wrapU, wrapV;       // Wrap
+};
+
 // The vertex arrays of one mesh.
 struct GeometryView {
     const glm::uvec3* triangles;
@@ -58,6 +65,7 @@ struct SceneView {
     const shared::BsdfLayerRecord* bsdfLayers;
     const shared::TextureLayerRecord* textureLayers;
     const TextureView* textures;
+    const SlopeMapView* slopeMaps;
     const shared::LightRecord* lights;        // directional ones first
     const shared::LightTreeNode* lightTree;
     const uint32_t* lightOfTriangle;          // InstanceRecord::light_map + primitive

@@ -15,14 +15,8 @@ struct DecodeTables {
 };
 const DecodeTables decodeTables;
 
-// Wraps a texel index.  0 repeat, 1 clamp, 2 mirror (gp::Wrap).
 inline int wrapTexel(int i, int n, uint8_t wrap) {
-    if (unsigned(i) < unsigned(n)) return i;
-    if (wrap == 1) return i < 0 ? 0 : n - 1;
-    const int period = wrap == 2 ? 2 * n : n;
-    i %= period;
-    i = i < 0 ? i + period : i;
-    return i < n ? i : period - 1 - i;
+    return unsigned(i) < unsigned(n) ? i : wrapped_texel(i, n, wrap);
 }
 
 inline glm::vec4 readTexel(const TextureView& t, const uint8_t* level, int width, int x, int y) {

@@ -19,4 +19,15 @@ TextureView textureView(const Texture& t) {
     return v;
 }
 
+SlopeMapView slopeMapView(const SlopeMap& map) {
+    SlopeMapView v{};
+    const size_t last = std::min(map.levels.size(), std::size(v.levels)) - 1;
+    for (size_t i = 0; i < std::size(v.levels); ++i)
+        v.levels[i] = map.texels.data() + map.levels[std::min(i, last)].offset;
+    const bool clamped = map.wrapU == Wrap::clampToEdge || map.wrapV == Wrap::clampToEdge;
+    v.size = {map.levels[0].width, map.levels[0].height, uint32_t(last + 1), clamped ? 0u : 1u};
+    v.wrapU = uint8_t(map.wrapU), v.wrapV = uint8_t(map.wrapV);
+    return v;
+}
+
 }  // namespace gp::cpu

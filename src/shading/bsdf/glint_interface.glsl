@@ -35,6 +35,17 @@ Slopes glint_material_slopes(IN(BsdfParams) m) {
     return d;
 }
 
+// All that is smaller than the footprint but the pixel's kernel, in the material's place.
+BsdfParams glint_with_slopes(BsdfParams m, IN(Slopes) d) {
+    m.alpha_x = sqrt(2.0f * d.var_x);
+    m.alpha_y = sqrt(2.0f * d.var_y);
+    m.slot_a.x = d.mean.x;
+    m.slot_a.y = d.mean.y;
+    // One map can have all its slopes along a line.
+    m.slot_a.z = clamp(d.cov * inversesqrt(max(d.var_x * d.var_y, 1.0e-30f)), -0.999f, 0.999f);
+    return m;
+}
+
 // The point that is seen, with everything that is smaller than the footprint.
 Glint glint_of(IN(BsdfParams) m) {
     Glint g;

@@ -23,7 +23,7 @@ struct GlintLevel {
 };
 
 // The first (0) or the second (1) of two, without a branch.
-GlintLevel glint_level_between(IN(GlintLevel) a, IN(GlintLevel) b, float which) {
+IN_LOOPS GlintLevel glint_level_between(IN(GlintLevel) a, IN(GlintLevel) b, float which) {
     GlintLevel l;
     l.shift = a.shift + (b.shift - a.shift) * uint(which);
     l.facets = a.facets + (b.facets - a.facets) * which;
@@ -43,11 +43,11 @@ struct GlintCell {
 };
 
 // 16 random bits as a number.
-float glint_bits(uint bits) {
+IN_LOOPS float glint_bits(uint bits) {
     return float(int(bits & 65535u)) * (1.0f / 65536.0f);
 }
 
-GlintCell glint_cell(IN(GlintLevel) level, int x, int y) {
+IN_LOOPS GlintCell glint_cell(IN(GlintLevel) level, int x, int y) {
     uvec3 h = hash_u32x3(uvec3(uint(x) << level.shift, uint(y) << level.shift, level.seed));
     // Between two levels of the dictionary cells take either, by the fraction: no level where all
     // of them change at once.
@@ -77,7 +77,7 @@ struct GlintQuery {
 };
 
 // Variance of the kernel along a direction of the whitened slopes.
-float glint_kernel_along(IN(GlintQuery) q, float x, float y) {
+IN_LOOPS float glint_kernel_along(IN(GlintQuery) q, float x, float y) {
     float a = q.k0.x * x + q.k0.y * y;
     float b = q.k1.x * x + q.k1.y * y;
     return a * a + b * b;

@@ -45,6 +45,11 @@ float counting_normal(uint bits) {
     return (float(sum) - 510.0f) * (1.0f / 147.80f);
 }
 
+// 2^n for a whole number n between -126 and 127.
+float counting_power_of_two(float n) {
+    return uintBitsToFloat(uint(int(n) + 127) << 23u);
+}
+
 // How many of n facets are hit, each with this probability: 0, or else a normal number of the mean
 // and variance that the binomial has above 0. [Deliot and Belcour 2023, section 4.2]
 float counting_facets(float n, float hit, uint gate_bits, uint normal_bits) {
@@ -81,7 +86,7 @@ float counting_cell(IN(CountingFootprint) f, uvec3 id, float weight) {
     uvec3 own = hash_u32x3(id);
     // Each cell changes to larger slope cells at a time of its own.
     float level = floor(f.slope_level + float(own.x & 0xFFFFu) * (1.0f / 65536.0f));
-    vec2 s = f.slope * exp2(-level)
+    vec2 s = f.slope * counting_power_of_two(-level)
            + vec2(float(own.y & 0xFFFFu), float(own.z & 0xFFFFu)) * (1.0f / 65536.0f);
     vec2 corner = floor(s);
     vec2 w = s - corner;
@@ -90,15 +95,16 @@ float counting_cell(IN(CountingFootprint) f, uvec3 id, float weight) {
     uint stream = own.x ^ (uint(int(level)) * 0x9E3779B9u);
     float density = counting_unevenness(f.jitter, own.y ^ (own.z >> 7u));
     float n = f.facets * density * weight;
-    uvec3 a = hash_u32x3(uvec3(x, y, stream));
-    uvec3 b = hash_u32x3(uvec3(x + 1u, y, stream));
-    uvec3 c = hash_u32x3(uvec3(x, y + 1u, stream));
-    uvec3 d = hash_u32x3(uvec3(x + 1u, y + 1u, stream));
-    float count = counting_facets(n * (1.0f - w.x) * (1.0f - w.y), f.hit, a.x, a.y)
-                + counting_facets(n * w.x * (1.0f - w.y), f.hit, b.x, b.y)
-                + counting_facets(n * (1.0f - w.x) * w.y, f.hit, c.x, c.y)
-                + counting_facets(n * w.x * w.y, f.hit, d.x, d.y);
-    return count / (f.facets * density);
+    // A loop that compilers turn into vectors.
+    float counts[4];
+    for (uint i = 0u; i < 4u; ++i) {
+        float right = float(i & 1u);
+        float up = float(i >> 1u);
+        uvec3 random = hash_u32x3(uvec3(x + (i & 1u), y + (i >> 1u), stream));
+        float share = mix(1.0f - w.x, w.x, right) * mix(1.0f - w.y, w.y, up);
+        counts[i] = counting_facets(n * share, f.hit, random.x, random.y);
+    }
+    return (counts[0] + counts[1] + counts[2] + counts[3]) / (f.facets * density);
 }
 
 // The cells of one grid about the footprint: the corners of a triangle of the simplex grid.
@@ -109,7 +115,7 @@ float counting_grid(IN(CountingFootprint) f, float ring, float spoke, float spok
     if (weight <= 0.0f) { return 0.0f; }
     SinCos turn = sincos_turns(0.5f * spoke / spokes);
     vec2 at = vec2(turn.c * f.uv.x + turn.s * f.uv.y, turn.c * f.uv.y - turn.s * f.uv.x);
-    at = vec2(at.x * exp2(-ring), at.y) * exp2(-level);
+    at = vec2(at.x * counting_power_of_two(-ring), at.y) * counting_power_of_two(-level);
     // [Perlin 2001, "Noise Hardware": squares skewed into triangles]
     vec2 skewed = vec2(at.x - 0.57735027f * at.y, 1.15470054f * at.y);
     // Far beyond what floats tell apart, all is one cell.

@@ -28,7 +28,7 @@ struct GlintBins {
     uint count;
 };
 
-GlintBins glint_bins(uint row, uint width) {
+IN_LOOPS GlintBins glint_bins(uint row, uint width) {
     GlintBins b;
     b.base = width < 4u ? row + 128u - (128u >> width) : GLINT_NORMAL_ROW;
     b.count = max(64u >> width, 16u);
@@ -36,7 +36,7 @@ GlintBins glint_bins(uint row, uint width) {
 }
 
 // The density at x in [0, 4].
-float glint_bins_read(uvec2 table, IN(GlintBins) b, float x) {
+IN_LOOPS float glint_bins_read(uvec2 table, IN(GlintBins) b, float x) {
     float p = x * (float(int(b.count)) * (1.0f / GLINT_REACH)) + 0.5f;
     int k = int(p);
     float t = p - float(k);
@@ -54,7 +54,7 @@ struct GlintWidth {
 
 // Of a kernel with the variance `kernel` (of 1, all of it). What is left for lobes of width 1/16
 // is 1 - kernel; the mixture has the same variance.
-GlintWidth glint_width(float kernel) {
+IN_LOOPS GlintWidth glint_width(float kernel) {
     float v = 1.0f + 255.0f * kernel;
     v = v < 256.0f ? v : 256.0f;
     GlintWidth w;
@@ -65,7 +65,7 @@ GlintWidth glint_width(float kernel) {
 }
 
 // The density of one entry at x >= 0; 0 beyond 4.
-float glint_marginal(uvec2 table, uint row, IN(GlintWidth) w, float x) {
+IN_LOOPS float glint_marginal(uvec2 table, uint row, IN(GlintWidth) w, float x) {
     float inside = min(x, GLINT_REACH);
     float a = glint_bins_read(table, glint_bins(row, w.width), inside);
     float b = glint_bins_read(table, glint_bins(row, w.width + 1u), inside);
@@ -73,7 +73,7 @@ float glint_marginal(uvec2 table, uint row, IN(GlintWidth) w, float x) {
 }
 
 // Without a kernel.
-float glint_marginal_sharp(uvec2 table, uint row, float x) {
+IN_LOOPS float glint_marginal_sharp(uvec2 table, uint row, float x) {
     float density = glint_bins_read(table, glint_bins(row, 0u), min(x, GLINT_REACH));
     return density * (x < GLINT_REACH ? 1.0f : 0.0f);
 }

@@ -76,7 +76,7 @@ ivec3 ellipse_first_row(IN(Ellipse) e) {
 
 // exp(-2 r^2) - exp(-2) inside, 0 outside, as a polynomial with an error of 8e-4, so that
 // compilers make vectors of it.
-float ellipse_weight(IN(Ellipse) e, int x, int y) {
+IN_LOOPS float ellipse_weight(IN(Ellipse) e, int x, int y) {
     float tx = float(x) - e.centre.x;
     float ty = float(y) - e.centre.y;
     float r2 = e.a * tx * tx + e.b * tx * ty + e.c * ty * ty;

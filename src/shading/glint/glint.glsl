@@ -86,8 +86,9 @@ GlintSteps glint_steps(IN(GlintPyramid) p, vec2 uv, uint seed) {
 
 // The mean over the cells of both levels, weighted within each and then by the levels' shares. It
 // takes 16 of them at a time and in three steps, each a loop that compilers turn into vectors:
-// hashes, look-ups along both axes, sums.
-float glint_mean_of_cells(IN(GlintQuery) q, IN(GlintSteps) s) {
+// hashes, look-ups along both axes, sums. Out of line: then there is one copy, and compilers have
+// no reason to leave a part of it scalar.
+OUT_OF_LINE float glint_mean_of_cells(IN(GlintQuery) q, IN(GlintSteps) s) {
     float sum_low = 0.0f;
     float sum_high = 0.0f;
     float all_low = 0.0f;

@@ -23,7 +23,7 @@ float zirr_facets(float n, float hit, uint bits, uint normal_bits) {
 float zirr_cell(IN(CountingFootprint) f, uvec3 id, float n) {
     uvec3 own = hash_u32x3(id);
     float level = floor(f.slope_level + 0.5f);
-    vec2 s = floor(f.slope * exp2(-level)
+    vec2 s = floor(f.slope * counting_power_of_two(-level)
                    + vec2(float(own.y & 0xFFFFu), float(own.z & 0xFFFFu)) * (1.0f / 65536.0f));
     uvec3 random = hash_u32x3(uvec3(uint(int(s.x)), uint(int(s.y)),
                                     own.x ^ (uint(int(level)) * 0x9E3779B9u)));
@@ -34,7 +34,7 @@ float zirr_cell(IN(CountingFootprint) f, uvec3 id, float n) {
 // Four cells of one grid, of these levels (log2 of a cell's size) along u and v.
 float zirr_grid(IN(CountingFootprint) f, vec2 level, float density, float weight) {
     if (weight <= 0.0f) { return 0.0f; }
-    vec2 size = vec2(exp2(level.x), exp2(level.y));
+    vec2 size = vec2(counting_power_of_two(level.x), counting_power_of_two(level.y));
     vec2 at = f.uv / size - vec2(0.5f);
     vec2 base = clamp(floor(at), vec2(-1.0e9f), vec2(1.0e9f));
     vec2 w = clamp(at - base, vec2(0.0f), vec2(1.0f));

@@ -15,7 +15,7 @@ uint hash_u32(uint x) {
 
 // Three numbers into three, for seeds made of several parts (pixel and frame, cell of a grid).
 // [Jarzynski and Olano 2020, JCGT 9(3), listing "pcg3d"]
-uvec3 hash_u32x3(uvec3 v) {
+IN_LOOPS uvec3 hash_u32x3(uvec3 v) {
     v.x = v.x * 1664525u + 1013904223u;
     v.y = v.y * 1664525u + 1013904223u;
     v.z = v.z * 1664525u + 1013904223u;

@@ -69,6 +69,21 @@ Slopes slopes_scaled(IN(Slopes) a, vec2 k) {
     return s;
 }
 
+// In a frame whose tangent is turned by the angle of this cosine and sine.
+Slopes slopes_turned(IN(Slopes) a, float c, float s) {
+    Slopes t;
+    t.mean = vec2(c * a.mean.x + s * a.mean.y, c * a.mean.y - s * a.mean.x);
+    t.var_x = c * c * a.var_x + 2.0f * c * s * a.cov + s * s * a.var_y;
+    t.var_y = s * s * a.var_x - 2.0f * c * s * a.cov + c * c * a.var_y;
+    t.cov = (c * c - s * s) * a.cov + c * s * (a.var_y - a.var_x);
+    return t;
+}
+
+// Of the same surface from its back, with normal and bitangent turned round.
+Slopes slopes_of_back(IN(Slopes) a) {
+    return slopes_scaled(a, vec2(-1.0f, 1.0f));
+}
+
 // The slope that a normal map's texel stands for; zero where it is not finite.
 vec2 slope_from_texel(vec3 n) {
     vec2 s = vec2(-n.x, -n.y) / max(n.z, 1.0e-3f);

@@ -106,6 +106,16 @@ struct Kernels {
         return sampleTexture(view.textures[texture], uv, lod, uLod);
     }
 
+    const SlopeMapSize& load_slope_map(uint map) { return view.slopeMaps[map].size; }
+    Slopes load_slopes(uint map, int level, int x, int y) {
+        const SlopeMapView& m = view.slopeMaps[map];
+        const int w = std::max(int(m.size.width >> level), 1);
+        const int h = std::max(int(m.size.height >> level), 1);
+        const auto* texels = static_cast<const SlopeTexel*>(m.levels[level]);
+        return slope_texel_decode(texels[size_t(wrapTexel(y, h, m.wrapV)) * size_t(w) +
+                                         size_t(wrapTexel(x, w, m.wrapU))]);
+    }
+
     // Environment.
     vec3 load_environment(vec2 uv) { return readBilinear(view.environment, uv); }
     vec3 load_background(vec2 uv) { return readBilinear(view.background, uv); }
