@@ -36,11 +36,12 @@ Owned owned(GpDevice device, Handle handle) {
 }
 
 struct SphereVertices {
-    std::vector<float> positions, tangents;
+    std::vector<float> positions, tangents, texCoords;
     std::vector<std::uint32_t> indices;
 };
 
-// Tangents run east; the poles lie at the upper and lower rim as the camera sees them.
+// Tangents run east; the poles lie at the upper and lower rim as the camera sees them. Texture
+// coordinates go once around and once from pole to pole.
 SphereVertices makeSphere() {
     SphereVertices sphere;
     for (unsigned row = 0; row <= kRows; ++row) {
@@ -51,6 +52,9 @@ SphereVertices makeSphere() {
             sphere.positions.insert(sphere.positions.end(),
                                     {s * std::sin(phi), std::cos(theta), s * std::cos(phi)});
             sphere.tangents.insert(sphere.tangents.end(), {std::cos(phi), 0, -std::sin(phi), 1});
+            sphere.texCoords.insert(sphere.texCoords.end(),
+                                    {static_cast<float>(column) / kColumns,
+                                     static_cast<float>(row) / kRows});
         }
     }
     constexpr unsigned stride = kColumns + 1;
@@ -73,6 +77,7 @@ public:
         desc.vertexCount = static_cast<std::uint32_t>(sphere.positions.size() / 3);
         desc.positions = desc.normals = sphere.positions.data();
         desc.tangents = sphere.tangents.data();
+        desc.texCoords[0] = sphere.texCoords.data();
         desc.indices = sphere.indices.data();
         desc.indexCount = static_cast<std::uint32_t>(sphere.indices.size());
         m_mesh = owned<Mesh>(device, gpNewMesh(device, &desc));

@@ -27,9 +27,10 @@ TriangleCorners load_triangle(uint, uint) { return theTriangle; }
 vec2 load_uv1(uint, uint, float, float) { return vec2(0.0f); }
 vec4 load_vertex_color(uint, uint, float, float) { return vec4(1.0f); }
 vec4 sample_texture(uint, vec2, float, float) { return vec4(1.0f); }
-// No material here has a normal map.
+// No material here has a normal map, and none is the sea's.
 SlopeMapSize load_slope_map(uint) { return {1, 1, 1, 1}; }
 Slopes load_slopes(uint, int, int, int) { return slopes_constant(vec2(0.0f)); }
+SeaSlopes sample_sea(vec2, vec2, vec2) { return {}; }
 const BsdfParams& load_bsdf(uint) { return theBsdf; }
 const BsdfLayerRecord& load_bsdf_layer(uint) { return noLayer; }
 const TextureLayerRecord& load_texture_layer(uint) { return noTextureLayer; }

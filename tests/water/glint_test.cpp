@@ -155,6 +155,55 @@ TEST(Glint, KernelTakesContrastAway) {
     EXPECT_LT(momentsAt(g, 0.5f, 1000).deviation, 1e-3 + 0.005);
 }
 
+// A cell has its entries and its axes in common with the one at its lower left corner on every
+// level below.
+TEST(Glint, CellsOfAllLevelsShareTheirNumbers) {
+    Random random(21);
+    GlintLevel high{}, low{};
+    high.facets = low.facets = 3.0f;
+    high.occupied = low.occupied = high.share = low.share = 1.0f;
+    high.seed = low.seed = 77u;
+    for (int i = 0; i < 1000; ++i) {
+        high.shift = 1u + random.next() % 12u;
+        low.shift = random.next() % high.shift;
+        const int x = int(random.next() % 2001u) - 1000, y = int(random.next() % 2001u) - 1000;
+        const int times = 1 << (high.shift - low.shift);
+        const GlintCell a = glint_cell(high, x, y), b = glint_cell(low, x * times, y * times);
+        EXPECT_EQ(a.row_x, b.row_x);
+        EXPECT_EQ(a.row_y, b.row_y);
+        EXPECT_EQ(a.turn.s, b.turn.s);
+        EXPECT_NE(a.turn.s, glint_cell(high, x + 1, y).turn.s);
+    }
+}
+
+// What carries no facets reflects as the smooth surface: a share of every pixel where cells hold
+// several facets, whole cells where they hold less than one.
+TEST(Glint, TheRestOfTheAreaIsSmooth) {
+    Random random(8);
+    Glint g = exampleGlint();
+    g.area = 0.3f;
+    g.log_density = std::log(1e9f);
+    const vec2 s = g.slopes.mean + vec2(0.1f, 0.1f);
+    const float gaussian = slopes_p22(g.slopes, s);
+    float least = 1e9f;
+    for (int i = 0; i < 5000; ++i) {
+        moveGlint(g, random);
+        least = std::min(least, glint_p22(g, s) / gaussian);
+    }
+    EXPECT_GT(least, 0.6999f);
+    EXPECT_LT(least, 0.8f);
+    g.area = 0.01f;
+    g.log_density = std::log(1e6f);
+    int untouched = 0;
+    for (int i = 0; i < 5000; ++i) {
+        moveGlint(g, random);
+        untouched += std::abs(glint_p22(g, s) / gaussian - 1.0f) < 1e-6f ? 1 : 0;
+    }
+    // 5 to 15 cells under a footprint, one of a hundred with facets.
+    EXPECT_GT(untouched, 4000);
+    EXPECT_LT(untouched, 4900);
+}
+
 // Half of the footprint's width away, most of the cells are the same ones; the same holds for
 // another level: glints do not jump while the camera moves.
 TEST(Glint, StaysWhileTheFootprintChanges) {
