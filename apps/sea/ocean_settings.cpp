@@ -79,6 +79,25 @@ void addSeaOptions(CLI::App& app, OceanSettings& s) {
             })->group("Sea");
 }
 
+void addGlintOptions(CLI::App& app, GpOceanDesc& sea) {
+    addWord(app, "--glints", "on|off|deliot",
+            "Facets that can be counted: by a dictionary, or at a fixed cost (default off)",
+            [&sea](const std::string& word) {
+                const std::pair<const char*, GpOceanGlints> choices[] = {
+                    {"on", GP_GLINTS_ON}, {"off", GP_GLINTS_OFF}, {"deliot", GP_GLINTS_COUNTING}};
+                sea.glints = parseChoice("--glints", word, choices);
+            })->group("Sea");
+    addSeaNumber(app, "--glint-density", "N", "Facets a square metre, 1..1e12 (default 1e6)", 1,
+                 1e12, sea.glintDensity);
+    addWord(app, "--masking", "vcavity|smith",
+            "How waves below a pixel hide one another (default vcavity)",
+            [&sea](const std::string& word) {
+                const std::pair<const char*, GpOceanMasking> choices[] = {
+                    {"vcavity", GP_MASKING_V_CAVITY}, {"smith", GP_MASKING_SMITH}};
+                sea.masking = parseChoice("--masking", word, choices);
+            })->group("Sea");
+}
+
 void addMapOption(CLI::App& app, OceanSettings& s) {
     addWord(app, "--maps", "FOLDER",
             "Write the maps of the waves too, at --time: displacement, normal, foam and moments of "
@@ -167,6 +186,7 @@ void addOceanOptions(CLI::App& app, OceanSettings& s) {
             "video: .mp4, .mkv, .webm",
             [&r](const std::string& word) { r.outputPath = word; })->required();
     addSeaOptions(app, s);
+    addGlintOptions(app, s.sea);
     addMapOption(app, s);
     addViewOptions(app, s);
     addSkyOptions(app, r);

@@ -557,15 +557,14 @@ enum {
     GP_GIVEN_ALL_OCEAN = (1 << 5) - 1
 };
 
-/* What the smallest waves are. Anything but 0 is not there yet: GP_ERROR_UNSUPPORTED. */
+/* What the smallest waves are, which no map holds. */
 typedef enum GpOceanGlints {
     GP_GLINTS_OFF = 0,     /* a smooth distribution of slopes */
     GP_GLINTS_ON = 1,      /* facets that can be counted, from a dictionary */
     GP_GLINTS_COUNTING = 2 /* the same at a fixed cost [Deliot and Belcour 2023] */
 } GpOceanGlints;
 
-/* How waves below a pixel hide one another. Anything but 0 is not there yet:
- * GP_ERROR_UNSUPPORTED. */
+/* How waves below a pixel hide one another. */
 typedef enum GpOceanMasking { GP_MASKING_V_CAVITY = 0, GP_MASKING_SMITH = 1 } GpOceanMasking;
 
 typedef struct GpOceanDesc {

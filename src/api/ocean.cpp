@@ -15,6 +15,10 @@ static_assert(GP_SPECTRUM_JONSWAP == int(OceanSpectrum::jonswap) &&
               GP_SPECTRUM_TMA == int(OceanSpectrum::tma) &&
               GP_SPECTRUM_PHILLIPS == int(OceanSpectrum::phillips) &&
               GP_SPECTRUM_PIERSON_MOSKOWITZ == int(OceanSpectrum::piersonMoskowitz));
+static_assert(GP_GLINTS_OFF == int(SeaGlints::smooth) &&
+              GP_GLINTS_ON == int(SeaGlints::dictionary) &&
+              GP_GLINTS_COUNTING == int(SeaGlints::counting) &&
+              GP_MASKING_SMITH == int(SeaMasking::smith));
 
 // A number in its range, or its default where it is zero and not given.
 float numberOr(float value, float fallback, bool given, double lo, double hi, const char* field) {
@@ -81,12 +85,9 @@ SeaSettings settingsFrom(const GpOceanDesc& d) {
                                   "absorption");
     s.backscattering = coefficientsOr(d.scattering, seaBackscattering,
                                       d.given & GP_GIVEN_SCATTERING, "scattering");
-    if (checkEnum(d.glints, 3, "glints") != GP_GLINTS_OFF)
-        fail(GP_ERROR_UNSUPPORTED, "glints: only GP_GLINTS_OFF is there yet");
-    if (d.glintDensity != 0)
-        fail(GP_ERROR_UNSUPPORTED, "glintDensity: there are no glints of the sea yet");
-    if (checkEnum(d.masking, 2, "masking") != GP_MASKING_V_CAVITY)
-        fail(GP_ERROR_UNSUPPORTED, "masking: only GP_MASKING_V_CAVITY is there yet");
+    s.glints = SeaGlints(checkEnum(d.glints, 3, "glints"));
+    s.facetDensity = numberOr(d.glintDensity, 1e6f, false, 1, 1e12, "glintDensity");
+    s.masking = SeaMasking(checkEnum(d.masking, 2, "masking"));
     s.foam = numberOr(d.foam, 1, d.given & GP_GIVEN_FOAM, 0, 1, "foam");
     s.clear = d.transparent != 0;
     s.ior = numberOr(d.ior, 1.333f, false, 1.01, 3, "ior");

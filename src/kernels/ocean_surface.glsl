@@ -5,12 +5,10 @@
 #ifndef GP_KERNELS_OCEAN_SURFACE_GLSL
 #define GP_KERNELS_OCEAN_SURFACE_GLSL
 #include "kernels/library_material.glsl"
-#include "shading/slope/slopes.glsl"
+#include "shading/slope/mean_slope.glsl"
 
 // Of fresh foam. [Koepke 1984, "Effective reflectance of oceanic whitecaps", Applied Optics 23(11)]
 #define FOAM_ALBEDO 0.55f
-// The mean slope shows at least so much of itself to the viewer: floats end not far below.
-#define SEA_LEAST_FACING 1.0e-4f
 
 // x towards +X, y towards -Z, up: the frame of scene/sea.h.
 Frame sea_frame() {
@@ -21,24 +19,28 @@ Frame sea_frame() {
     return f;
 }
 
-// A pixel may show the edge of a wave whose mean slope, over all of the footprint, is turned away
-// from the viewer. It is then turned back, no farther than needed; masking stays right for any
-// mean, so that no light is made. `side`: 1 from above, -1 from below.
-vec2 seen_slope(vec2 mean, vec3 wo, float side) {
-    float missing = SEA_LEAST_FACING - side * slope_facing(mean, wo);
-    vec2 across = vec2(wo.x, wo.y);
-    float square = dot(across, across);
-    return missing > 0.0f && square > 1.0e-12f ? mean - across * (side * missing / square) : mean;
-}
+// What a pixel shows of the plane at rest, and how its half vectors differ.
+struct SeaFootprint {
+    vec2 d0;   // sides of a parallelogram, metres
+    vec2 d1;
+    vec2 k0;   // change of the slope of the half vector along them: that of the view, as the waves
+    vec2 k1;   // within the footprint are in its slopes already
+};
 
-// Where the ray's cone meets the plane at rest: as wide as the cone, and longer towards the viewer.
-SeaSlopes sea_slopes_seen(IN(Surface) s, vec3 wo) {
+// Where the ray's cone meets the plane: as wide as the cone, and longer towards the viewer.
+SeaFootprint sea_footprint(IN(RayCone) cone, vec3 wo) {
     vec2 along = vec2(wo.x, wo.y);
     float l = length(along);
     along = l > 1.0e-6f ? along / l : vec2(1.0f, 0.0f);
-    float width = max(s.width, 1.0e-6f);
-    vec2 d0 = along * (width / max(abs(wo.z), 1.0e-4f));
-    return sample_sea(s.uv0, d0, vec2(-along.y, along.x) * width);
+    vec2 across = vec2(-along.y, along.x);
+    float width = max(abs(cone.width), 1.0e-6f);
+    float turn = 0.5f * min(abs(cone.spread), 1.0f);
+    SeaFootprint f;
+    f.d0 = along * (width / max(abs(wo.z), 1.0e-4f));
+    f.d1 = across * width;
+    f.k0 = along * turn;
+    f.k1 = across * turn;
+    return f;
 }
 
 // Out of line, as all materials of the library. load_bsdf(m.bsdf) has the albedo of the water, of
@@ -50,8 +52,10 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     p.attenuation = m.attenuation;
     p.flags = m.flags;
     vec3 wo_local = local_from_world(p.frame, wo);
-    SeaSlopes sea = sea_slopes_seen(s, wo_local);
-    vec2 mean = seen_slope(sea.mean, wo_local, s.front != 0u ? 1.0f : -1.0f);
+    SeaFootprint seen = sea_footprint(s.cone, wo_local);
+    SeaSlopes sea = sample_sea(s.uv0, seen.d0, seen.d1);
+    // A long footprint may show a crest of waves whose mean slope is turned away from the viewer.
+    vec2 mean = slope_mean_in_view(sea.mean, s.front != 0u ? wo_local : -wo_local);
     p.bsdf = load_bsdf(m.bsdf);
     // A matte share as large as its albedo, and all else clear: so that the exact Fresnel term
     // reflects, which is that of clear bodies.
@@ -65,6 +69,12 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     p.bsdf.slot_a.x = mean.x;
     p.bsdf.slot_a.y = mean.y;
     p.bsdf.slot_a.z = spread > 0.0f ? sea.cov / spread : 0.0f;
+    p.bsdf.slot_c.x = s.uv0.x;
+    p.bsdf.slot_c.y = s.uv0.y;
+    // Below deep water nothing is seen: what comes back from there is its albedo.
+    p.bsdf.slot_c.w = (m.flags & MATERIAL_SOLID) == 0u ? 1.0f : 0.0f;
+    p.bsdf.slot_d = vec4(seen.d0, seen.d1);
+    p.bsdf.slot_e = vec4(seen.k0, seen.k1);
     return p;
 }
 

@@ -249,11 +249,6 @@ void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(Pat
     vec3 wo = -path.ray.direction;
     if (!sides_agree(s, p, wo, wi, wo_local, b.wi)) { return; }
     path.throughput *= b.weight;
-    // Below deep water nothing is seen: what comes back from there is its albedo.
-    if ((b.lobe & LOBE_TRANSMISSION) != 0u && (p.flags & MATERIAL_SEA) != 0u &&
-        (p.flags & MATERIAL_SOLID) == 0u) {
-        return;
-    }
     if ((b.lobe & LOBE_TRANSMISSION) != 0u && p.bsdf.thin == 0u) {
         bool entering = side_of(p.bsdf, wo_local) > 0.0f;
         path.attenuation = entering ? p.attenuation : vec3(0.0f);

@@ -13,7 +13,6 @@ struct Surface {
     vec2 uv0;
     vec2 uv1;
     vec4 color;        // of the vertices
-    float width;       // of the ray's cone here, metres
     float lod;  // log2 of the texture area per pixel's footprint, before a texture's own size
     uint material;
     uint front;        // 1: the ray came from the front
@@ -71,7 +70,6 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) 
     TriangleCorners c = load_triangle(instance.geometry, hit.primitive);
     Surface s;
     s.material = instance.material;
-    s.width = abs(cone.width);
     s.position = transform_point(instance, interpolate(c.p0, c.p1, c.p2, hit.u, hit.v));
     vec3 e1 = transform_vector(instance, c.p1 - c.p0);
     vec3 e2 = transform_vector(instance, c.p2 - c.p0);

@@ -26,6 +26,10 @@ std::shared_ptr<Material> waterOf(const SeaSettings& s, const Ocean& ocean) {
     auto bsdf = std::make_shared<BsdfSettings>(findBsdfModel("glint"));
     bsdf->set("ior", fmt::format("{}", s.ior));
     bsdf->set("thin", "false");
+    constexpr const char* methods[] = {"smooth", "dictionary", "counting"};
+    bsdf->set("method", methods[size_t(s.glints)]);
+    bsdf->set("density", fmt::format("{}", s.facetDensity));
+    bsdf->set("masking", s.masking == SeaMasking::smith ? "smith" : "v_cavity");
     // What is prepared for a material is so for one roughness: that of the whole sea.
     const OceanMoments all = ocean.momentsAbove(0);
     const float alpha = std::clamp(std::sqrt(all.xx + all.yy), 1.0e-4f, 1.0f);

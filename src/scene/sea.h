@@ -12,6 +12,10 @@
 
 namespace gp {
 
+// What the smallest facets are: words of the model `glint`.
+enum class SeaGlints : uint8_t { smooth, dictionary, counting };
+enum class SeaMasking : uint8_t { vCavity, smith };
+
 struct SeaSettings {
     OceanSettings waves;
     float level = 0;                // y of the water at rest, metres
@@ -20,6 +24,9 @@ struct SeaSettings {
     glm::vec3 backscattering{0};    // 1/m
     float ior = 1.333f;
     float foam = 1;                 // times what the waves say
+    SeaGlints glints = SeaGlints::smooth;
+    float facetDensity = 1e6f;      // a square metre of the water at rest
+    SeaMasking masking = SeaMasking::vCavity;
     bool clear = false;             // rays go on into the water; else nothing below it is seen
 };
 

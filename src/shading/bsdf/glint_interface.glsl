@@ -117,7 +117,8 @@ GltfFresnel glint_fresnel(IN(BsdfParams) m, float cos_h, float cos_t, float eta)
         vec3 schlick = lost ? vec3(1.0f) : gltf_dielectric_fresnel(m, cos_outside);
         float through = cos_t > 0.0f ? fresnel_transmittance(cos_h, cos_t, eta) : 0.0f;
         f.reflected = max(f.reflected + clear * (vec3(1.0f - through) - schlick), vec3(0.0f));
-        f.transmitted = m.base_color * (clear * through);
+        // slot_c.w: the share that never comes back, which a renderer fills in for deep water.
+        f.transmitted = m.base_color * (clear * through * (1.0f - m.slot_c.w));
     }
     return f;
 }
