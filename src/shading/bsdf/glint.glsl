@@ -157,15 +157,13 @@ bool glint_bsdf_is_specular(IN(BsdfParams) m) {
 }
 
 // A direction by a facet that the view sees; the zero vector where it sends light to the wrong
-// side, from where it would be reflected again.
-vec3 glint_sample_facet(IN(BsdfParams) m, IN(GlintView) view, float u_lobe, vec2 u) {
+// side, from where it would be reflected again. u_facet: for its cell, and its side of the cavity.
+vec3 glint_sample_facet(IN(BsdfParams) m, IN(GlintView) view, float u_lobe, vec2 u,
+                        vec2 u_facet) {
     vec2 mean = view.g.slopes.mean;
-    // Cell and side of the cavity are chosen by what no other choice looks at.
-    uvec3 bits = hash_u32x3(
-        uvec3(floatBitsToUint(u_lobe), floatBitsToUint(u.x), floatBitsToUint(u.y)));
-    vec2 s = glint_method(m) == GLINT_DICTIONARY ? glint_sample(view.g, u, unit_float(bits.x))
+    vec2 s = glint_method(m) == GLINT_DICTIONARY ? glint_sample(view.g, u, u_facet.x)
                                                  : slopes_sample(view.g.slopes, u);
-    s = sheared_cavity_visible(mean, s, view.o, unit_float(bits.y));
+    s = sheared_cavity_visible(mean, s, view.o, u_facet.y);
     vec3 wm = facet_of(s);
     float cos_h = dot(view.o, wm);
     vec3 i = reflect(-view.o, wm);
@@ -193,7 +191,11 @@ BsdfSample glint_bsdf_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
     uint lobe = glint_bsdf_is_specular(m) ? LOBE_SPECULAR : LOBE_GLOSSY;
     vec3 i;
     if (u_lobe < p_facets) {
-        i = glint_sample_facet(m, view, u_lobe / p_facets, u);
+        // Two more numbers, of what both compilers have bit by bit.
+        uvec3 bits = hash_u32x3(
+            uvec3(floatBitsToUint(u_lobe), floatBitsToUint(u.x), floatBitsToUint(u.y)));
+        i = glint_sample_facet(m, view, u_lobe / p_facets, u,
+                               vec2(unit_float(bits.x), unit_float(bits.y)));
         lobe |= slope_facing(mean, i) < 0.0f ? LOBE_TRANSMISSION : 0u;
     } else {
         vec3 n = normalize(mesosurface_normal(mean));
