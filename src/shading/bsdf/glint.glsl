@@ -120,21 +120,22 @@ BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
     if (!front && gltf_transmissive_share(m) <= 0.0f) {
         return bsdf_no_value();
     }
-    GlintLobe lobe;
-    if (front) {
-        lobe = glint_reflection(m, view.g, view.o, i);
-    } else if (m.thin != 0u) {
-        lobe = glint_reflection(m, view.g, view.o, mesosurface_mirrored(view.g.slopes.mean, i));
-    } else {
-        lobe = glint_refraction(m, view.g, view.o, i, view.eta);
-    }
     bool refracts = !front && m.thin == 0u;
-    float cos_t = refracts ? lobe.cos_t : glint_cos_behind(m, lobe.cos_h, view.eta);
-    GltfFresnel f = glint_fresnel(m, lobe.cos_h, cos_t, view.eta);
+    GlintFacet facet;
+    if (refracts) {
+        facet = glint_refraction(m, view.g.slopes, view.o, i, view.eta);
+    } else {
+        vec3 reflected = front ? i : mesosurface_mirrored(view.g.slopes.mean, i);
+        facet = glint_reflection(m, view.g.slopes, view.o, reflected);
+    }
+    // In one place for all kinds of facets: it is by far the longest of all that is done here.
+    GlintDensity p22 = glint_density(glint_method(m), view.g, facet.slope);
+    float cos_t = refracts ? facet.cos_t : glint_cos_behind(m, facet.cos_h, view.eta);
+    GltfFresnel f = glint_fresnel(m, facet.cos_h, cos_t, view.eta);
     float p = gltf_reflection_probability(f);
     BsdfValue v;
-    v.f_cos = (front ? f.reflected : f.transmitted) * lobe.f_cos;
-    v.pdf = (front ? p : 1.0f - p) * lobe.pdf * (1.0f - view.p_base);
+    v.f_cos = (front ? f.reflected : f.transmitted) * (facet.f_cos * p22.value);
+    v.pdf = (front ? p : 1.0f - p) * (facet.pdf * p22.drawn) * (1.0f - view.p_base);
     if (front && view.has_base) {
         BsdfValue base = glint_base_eval(m, view, i);
         v.f_cos += base.f_cos;

@@ -116,7 +116,9 @@ GltfFresnel glint_fresnel(IN(BsdfParams) m, float cos_h, float cos_t, float eta)
     if (clear > 0.0f) {
         vec3 schlick = lost ? vec3(1.0f) : gltf_dielectric_fresnel(m, cos_outside);
         float through = cos_t > 0.0f ? fresnel_transmittance(cos_h, cos_t, eta) : 0.0f;
-        f.reflected = max(f.reflected + clear * (vec3(1.0f - through) - schlick), vec3(0.0f));
+        // By component: GLM's max of vectors is a call where much else is inlined.
+        vec3 sum = f.reflected + clear * (vec3(1.0f - through) - schlick);
+        f.reflected = vec3(max(sum.x, 0.0f), max(sum.y, 0.0f), max(sum.z, 0.0f));
         // slot_c.w: the share that never comes back, which a renderer fills in for deep water.
         f.transmitted = m.base_color * (clear * through * (1.0f - m.slot_c.w));
     }
@@ -128,12 +130,14 @@ float glint_cos_behind(IN(BsdfParams) m, float cos_h, float eta) {
     return gltf_transmissive_share(m) > 0.0f ? fresnel_g(cos_h, eta) / eta : 0.0f;
 }
 
-// One facet's light without its Fresnel term: value and density, and the cosine at the facet.
-struct GlintLobe {
-    float f_cos;
+// A facet that turns light from i to o, and what it does but for its Fresnel term and how many of
+// its slope there are: both numbers are times the density of slopes.
+struct GlintFacet {
+    vec2 slope;
+    float f_cos;  // 0: no facet does that
     float pdf;
-    float cos_h;
-    float cos_t;  // behind the facet; only of a refraction
+    float cos_h;  // at the facet, on the side of o
+    float cos_t;  // behind it; only of a refraction
 };
 
 // Masking of a facet of slope s from both sides of the surface: before it (i too), or i behind it.
@@ -156,62 +160,60 @@ float glint_masking_through(uint masking, IN(Slopes) d, vec2 s, vec3 o, vec3 i) 
     return sheared_cavity_g1(d.mean, s, o) * sheared_cavity_g1(d.mean, s, -i);
 }
 
-GlintLobe glint_no_lobe() {
-    GlintLobe lobe;
-    lobe.f_cos = 0.0f;
-    lobe.pdf = 0.0f;
-    lobe.cos_h = 0.0f;
-    lobe.cos_t = 0.0f;
-    return lobe;
+GlintFacet glint_no_facet() {
+    GlintFacet facet;
+    facet.slope = vec2(0.0f);
+    facet.f_cos = 0.0f;
+    facet.pdf = 0.0f;
+    facet.cos_h = 0.0f;
+    facet.cos_t = 0.0f;
+    return facet;
 }
 
 // o and i before the mesosurface.
 // [Walter et al. 2007, EGSR, equation 20; per projected area: Dupuy et al. 2013, equation 9]
-GlintLobe glint_reflection(IN(BsdfParams) m, IN(Glint) g, vec3 o, vec3 i) {
+GlintFacet glint_reflection(IN(BsdfParams) m, IN(Slopes) d, vec3 o, vec3 i) {
     vec3 h = o + i;
     float h_length = length(h);
     if (!(h.z > 1.0e-6f * h_length)) {
-        return glint_no_lobe();
+        return glint_no_facet();
     }
     vec3 wm = h / h_length;
-    vec2 s = slope_of(wm);
     float z2 = wm.z * wm.z;
-    float scale = 0.25f / (z2 * z2 * slope_facing(g.slopes.mean, o));
-    GlintDensity p22 = glint_density(glint_method(m), g, s);
-    GlintLobe lobe;
-    lobe.cos_h = min(0.5f * h_length, 1.0f);
-    lobe.cos_t = 0.0f;
-    lobe.pdf = scale * p22.drawn * sheared_cavity_g1(g.slopes.mean, s, o);
-    lobe.f_cos = scale * p22.value * glint_masking_g2(glint_masking(m), g.slopes, s, o, i);
-    return lobe;
+    float scale = 0.25f / (z2 * z2 * slope_facing(d.mean, o));
+    GlintFacet facet;
+    facet.slope = slope_of(wm);
+    facet.cos_h = min(0.5f * h_length, 1.0f);
+    facet.cos_t = 0.0f;
+    facet.pdf = scale * sheared_cavity_g1(d.mean, facet.slope, o);
+    facet.f_cos = scale * glint_masking_g2(glint_masking(m), d, facet.slope, o, i);
+    return facet;
 }
 
 // o before and i behind the mesosurface; radiance, so that there is no eta^2 in the value.
 // [Walter et al. 2007, EGSR, equations 17 and 21]
-GlintLobe glint_refraction(IN(BsdfParams) m, IN(Glint) g, vec3 o, vec3 i, float eta) {
+GlintFacet glint_refraction(IN(BsdfParams) m, IN(Slopes) d, vec3 o, vec3 i, float eta) {
     vec3 h = o + eta * i;
     float square = dot(h, h);
     if (!(square > 0.0f)) {
-        return glint_no_lobe();
+        return glint_no_facet();
     }
     vec3 wm = h * (h.z > 0.0f ? inversesqrt(square) : -inversesqrt(square));
     float cos_oh = dot(o, wm);
     float cos_ih = dot(i, wm);
     if (!(wm.z > 1.0e-6f) || cos_oh <= 0.0f || cos_ih >= 0.0f) {
-        return glint_no_lobe();
+        return glint_no_facet();
     }
-    vec2 mean = g.slopes.mean;
-    vec2 s = slope_of(wm);
     float z2 = wm.z * wm.z;
     float root = cos_oh + eta * cos_ih;
-    float scale = -cos_ih * cos_oh / (root * root * z2 * z2 * slope_facing(mean, o));
-    GlintDensity p22 = glint_density(glint_method(m), g, s);
-    GlintLobe lobe;
-    lobe.cos_h = cos_oh;
-    lobe.cos_t = -cos_ih;
-    lobe.pdf = scale * p22.drawn * sheared_cavity_g1(mean, s, o) * eta * eta;
-    lobe.f_cos = scale * p22.value * glint_masking_through(glint_masking(m), g.slopes, s, o, i);
-    return lobe;
+    float scale = -cos_ih * cos_oh / (root * root * z2 * z2 * slope_facing(d.mean, o));
+    GlintFacet facet;
+    facet.slope = slope_of(wm);
+    facet.cos_h = cos_oh;
+    facet.cos_t = -cos_ih;
+    facet.pdf = scale * sheared_cavity_g1(d.mean, facet.slope, o) * eta * eta;
+    facet.f_cos = scale * glint_masking_through(glint_masking(m), d, facet.slope, o, i);
+    return facet;
 }
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef GP_SHADING_OCEAN_DISPERSION_GLSL
 #define GP_SHADING_OCEAN_DISPERSION_GLSL
 #include "shading/constants.glsl"
+#include "shading/special.glsl"
 
 // Depth in m that no wave feels.
 #define OCEAN_DEEP 1.0e6f
@@ -17,7 +18,8 @@ struct OceanFrequency {
 // Of gravity waves. [Lamb 1932, "Hydrodynamics", 6th edition, section 229]
 OceanFrequency ocean_gravity_frequency(float k, float depth, float gravity) {
     float kd = min(k * depth, 20.0f);  // beyond, tanh is 1
-    float t = tanh(kd);
+    float e = 2.0f * kd * expm1_over(2.0f * kd);
+    float t = e / (e + 2.0f);          // tanh, which compilers of GLSL lose near 0
     OceanFrequency f;
     f.omega = sqrt(gravity * k * t);
     f.by_k = 0.5f * gravity * (t + kd * (1.0f - t * t)) / f.omega;
