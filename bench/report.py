@@ -4,6 +4,9 @@ TARGET_RATIO = 0.45      # of bare Embree, textured glTF scene with environment 
 TARGET_CYCLES = 2.0      # times Cycles' samples a second
 TARGET_DIFFUSE = 2.38    # Msamples/s, Embree's tutorial path tracer on Zdm2, paths of length 2
 TARGET_OCEAN = 12.0      # ms, two cores
+TARGET_WATER = 120.0     # ms of all threads: full-screen water, one light, glints
+TARGET_GLINTS = 4.0      # times the same frame with smooth slopes
+TARGET_MASKING = 1.05    # times the frame with Smith's
 TARGET_MEMORY = 1.5      # times (geometry + textures + Embree's own)
 # Textured, lit by an environment picture: those that the first target speaks of.
 TEXTURED = ("DamagedHelmet", "DutchShipMedium", "FlightHelmet")
@@ -44,6 +47,7 @@ def target_rows(results):
         update = results["ocean"]["parts"]["update"]["wall"]
         rows.append(["update of the sea, 3 x 256 x 256", f"<= {TARGET_OCEAN} ms",
                      f"{update['value']:.1f} ms", verdict(update["value"] <= TARGET_OCEAN)])
+    rows += water_targets(results)
     for name, m in results["memory"].items():
         if "ratio" in m:
             rows.append([f"{name}: peak memory", f"<= {TARGET_MEMORY} x",
@@ -215,6 +219,35 @@ def changing_part(r):
         ["what changes", "calls", "structures", "rest", "core-ms"], rows)
 
 
+def water_targets(results):
+    if not results.get("water"):
+        return []
+    core = {name: v["core"]["value"] for name, v in results["water"]["variants"].items()}
+    glints, smooth = core["glints"], core["smooth"]
+    masking = smooth / core["smooth, Smith"]
+    return [["full-screen water, glints, one light, camera rays included",
+             f"<= {TARGET_WATER:.0f} ms of all threads", f"{glints:.0f} ms",
+             verdict(glints <= TARGET_WATER)],
+            ["the same frame with glints over without", f"<= {TARGET_GLINTS:.0f} x",
+             f"{glints / smooth:.2f} x", verdict(glints <= TARGET_GLINTS * smooth)],
+            ["the same frame with sheared V-cavities over Smith's", f"<= {TARGET_MASKING} x",
+             f"{masking:.3f} x", verdict(masking <= TARGET_MASKING)]]
+
+
+def water_part(results):
+    if not results.get("water"):
+        return []
+    r = results["water"]
+    rows = [[name, f"{v['share']:.0%}", number(v["core"], 0), number(v["wall"], 0)]
+            for name, v in r["variants"].items()]
+    return ["## Frames of water", "",
+            f"{r['size'][0]} x {r['size'][1]}, one sample a pixel, one directional light, no",
+            "shadows (GP_MODE_LOCAL), camera rays, waves' slopes and light together; milliseconds,",
+            f"median (least..most). {r['device']}, {r['machine']['date']}, load average "
+            f"{r['machine']['load_average_at_start'][0]:.2f}.", ""] + table(
+        ["frame", "water", "all threads", "wall"], rows)
+
+
 def ocean_part(results):
     if not results.get("ocean"):
         return []
@@ -259,6 +292,6 @@ def markdown(results):
     lines += ["## Targets", ""]
     lines += table(["what", "target", "reached", "met"], target_rows(results))
     for part in (rays_part, cycles_part, diffuse_part, build_part, scaling_part, memory_part,
-                 models_part, realtime_part, ocean_part, glint_part):
+                 models_part, realtime_part, ocean_part, glint_part, water_part):
         lines += part(results)
     return "\n".join(lines)
