@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <iostream>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <glitterpath/glitterpath.h>
 
+#include "checked.h"
 #include "spread.h"
 
 namespace gp::bench {
@@ -24,19 +24,6 @@ struct Settings {
     uint32_t corners = 0;  // of lights that are polygons; 0: spheres
     std::string image;
 };
-
-void check(GpDevice device, GpError error) {
-    if (error == GP_SUCCESS) return;
-    const char* message = "";
-    gpGetError(device, &message);
-    throw std::runtime_error(message);
-}
-
-template <class T>
-T made(GpDevice device, T handle) {
-    if (!handle) check(device, GP_ERROR_UNKNOWN);
-    return handle;
-}
 
 // The fraction of `n` times an irrational number: the same places in each run.
 float spread(uint32_t n, double step) {

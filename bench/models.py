@@ -20,6 +20,25 @@ def medians(raw):
     return results
 
 
+def google_benchmark(build, name, quick):
+    """What a program made with Google Benchmark writes; None where it is not built."""
+    program = os.path.join(build, "bin", name)
+    if not os.path.exists(program):
+        say(f"  left out: {name} is not built (libbenchmark-dev)")
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "out.json")
+        run([program, f"--benchmark_min_time={0.02 if quick else 0.1}",
+             f"--benchmark_repetitions={3 if quick else 5}", f"--benchmark_out={out}",
+             "--benchmark_out_format=json"])
+        with open(out, encoding="utf-8") as file:
+            raw = json.load(file)
+    failed = [row["run_name"] for row in raw["benchmarks"] if row.get("error_occurred")]
+    if failed:
+        raise SystemExit(f"bench: {name}: no number: {', '.join(sorted(set(failed)))}")
+    return raw
+
+
 def table_sizes(context):
     level_2 = [c["size"] for c in context["caches"] if c["level"] == 2 and c["type"] != "Data"]
     return {"albedo_tables": int(context["bytes_of_albedo_tables"]),
@@ -31,18 +50,10 @@ def models(build, quick):
     """ns per eval and per sample of each model, what terms cost that are off, sizes of tables. The
     program checks all results first and fails where one is not finite."""
     say("reflectance models")
-    program = os.path.join(build, "bin", "bsdf_bench")
-    if not os.path.exists(program):
-        say("  left out: bsdf_bench is not built (libbenchmark-dev)")
-        return None
     quiet = machine()
-    with tempfile.TemporaryDirectory() as folder:
-        out = os.path.join(folder, "bsdf.json")
-        run([program, f"--benchmark_min_time={0.02 if quick else 0.1}",
-             f"--benchmark_repetitions={3 if quick else 5}", f"--benchmark_out={out}",
-             "--benchmark_out_format=json"])
-        with open(out, encoding="utf-8") as file:
-            raw = json.load(file)
+    raw = google_benchmark(build, "bsdf_bench", quick)
+    if raw is None:
+        return None
     times = medians(raw)
     rows, terms = {}, {}
     for name, time in times.items():

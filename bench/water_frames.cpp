@@ -6,12 +6,12 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <glitterpath/glitterpath.h>
 
+#include "checked.h"
 #include "spread.h"
 
 namespace gp::bench {
@@ -25,19 +25,6 @@ struct Settings {
     uint32_t width = 640, height = 360, frames = 12, threads = 0;
     std::string image;
 };
-
-void check(GpDevice device, GpError error) {
-    if (error == GP_SUCCESS) return;
-    const char* message = "";
-    gpGetError(device, &message);
-    throw std::runtime_error(message);
-}
-
-template <class T>
-T made(GpDevice device, T handle) {
-    if (!handle) check(device, GP_ERROR_UNKNOWN);
-    return handle;
-}
 
 struct Variant {
     const char* name;
