@@ -23,7 +23,7 @@ constexpr double kFov = 45 * std::numbers::pi / 180;
 
 struct Settings {
     uint32_t width = 640, height = 360, frames = 12, threads = 0;
-    std::string image;
+    std::string image, only;
 };
 
 struct Variant {
@@ -76,6 +76,7 @@ public:
         std::array<Spread, kVariants.size()> core, wall;
         for (uint32_t round = 0; round < s_.frames + 1; ++round)
             for (size_t i = 0; i < kVariants.size(); ++i) {
+                if (!measured(i)) continue;
                 const Stopwatch watch;
                 draw(i);
                 if (round == 0) continue;  // triangles and dictionary are made for the first time
@@ -83,7 +84,7 @@ public:
             }
         Json variants;
         for (size_t i = 0; i < kVariants.size(); ++i)
-            variants[kVariants[i].name] = {{"share", kVariants[i].share},
+            if (measured(i)) variants[kVariants[i].name] = {{"share", kVariants[i].share},
                                            {"frame_core_ms", core[i].json()},
                                            {"frame_wall_ms", wall[i].json()}};
         return {{"device", gpGetDeviceName(device_)}, {"width", s_.width}, {"height", s_.height},
@@ -96,6 +97,8 @@ public:
     }
 
 private:
+    bool measured(size_t i) const { return s_.only.empty() || s_.only == kVariants[i].name; }
+
     void addScene(size_t i) {
         const GpScene scene = made(device_, gpNewScene(device_));
         GpOceanDesc sea{};
@@ -134,6 +137,7 @@ int main(int argc, char** argv) {
     app.add_option("--frames", s.frames, "of each variant that are measured")
         ->check(CLI::Range(1u, 10000u));
     app.add_option("--threads", s.threads, "0: all processors");
+    app.add_option("--only", s.only, "one variant by its name, for a profiler");
     app.add_option("--image", s.image, "one with glints, to look at");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/lattice.h"
 #include "scene/material.h"
 
 namespace gp {
@@ -52,6 +53,7 @@ struct Mesh {
 
     std::vector<glm::vec3> positions;  // one element more than vertices: Embree reads 16 bytes
     std::vector<glm::uvec3> triangles;
+    Lattice lattice;                   // where the vertices are one, the triangles are its cells'
     std::vector<ShadingVertex> vertices;
     std::vector<glm::vec2> uv1;        // empty: none
     std::vector<glm::u8vec4> colors;   // linear RGBA, unorm; empty: none

@@ -51,11 +51,11 @@ std::shared_ptr<Material> waterOf(const SeaSettings& s, const Ocean& ocean) {
 // Where the grid's vertices are: around `centre`, moved by `shape`.
 void displace(const SeaGrid& grid, const std::vector<glm::vec2>& points, glm::vec2 centre,
               float height, float level, const SeaShape& shape, glm::vec3* positions) {
-    tbb::parallel_for(size_t(0), size_t(grid.rings), [&](size_t ring) {
-        const float cell = grid.cell(uint32_t(ring), height);
-        const size_t first = ring == 0 ? 0 : 1 + ring * grid.sectors;
-        const size_t end = 1 + (ring + 1) * grid.sectors;
-        for (size_t i = first; i < end; ++i) {
+    const Lattice lattice = grid.lattice();
+    tbb::parallel_for(0u, lattice.rows, [&](uint32_t row) {
+        const float cell = grid.cell(std::max(row, 1u) - 1, height);
+        const size_t first = size_t(row) * lattice.columns;
+        for (size_t i = first; i < first + lattice.columns; ++i) {
             const glm::vec2 rest = centre + points[i];
             const glm::vec3 p = glm::vec3(rest, 0) + shape.at(rest, cell);
             positions[i] = worldFromSea(p) + glm::vec3(0, level, 0);
@@ -64,13 +64,14 @@ void displace(const SeaGrid& grid, const std::vector<glm::vec2>& points, glm::ve
 }
 
 // Of the surface through the neighbours: outwards times around is up.
-glm::vec3 normalAt(const SeaGrid& grid, const glm::vec3* p, uint32_t ring, uint32_t sector) {
+glm::vec3 normalAt(const SeaGrid& grid, const glm::vec3* p, uint32_t row, uint32_t column) {
+    if (row == 0) return {0, 1, 0};
     const uint32_t n = grid.sectors;
-    const auto vertex = [&](uint32_t r, uint32_t s) { return p[1 + r * n + s % n]; };
-    const glm::vec3 inner = ring == 0 ? p[0] : vertex(ring - 1, sector);
-    const glm::vec3 outer = vertex(std::min(ring + 1, grid.rings - 1), sector);
+    const auto vertex = [&](uint32_t r, uint32_t s) { return p[size_t(r) * (n + 1) + s % n]; };
+    const glm::vec3 inner = vertex(row - 1, column);
+    const glm::vec3 outer = vertex(std::min(row + 1, grid.rings), column);
     const glm::vec3 normal =
-        glm::cross(outer - inner, vertex(ring, sector + 1) - vertex(ring, sector + n - 1));
+        glm::cross(outer - inner, vertex(row, column + 1) - vertex(row, column + n - 1));
     const float length = glm::length(normal);
     return length > 0 && normal.y > 0 ? normal / length : glm::vec3(0, 1, 0);
 }
@@ -141,14 +142,14 @@ void Sea::fill(const Placement& now, bool motion) {
         displace(grid_, points, now.centre, now.height, settings_.level, pastShape_,
                  before.data());
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
-        const glm::vec3 normal =
-            i == 0 ? glm::vec3(0, 1, 0)
-                   : normalAt(grid_, positions.data(), uint32_t((i - 1) / grid_.sectors),
-                              uint32_t((i - 1) % grid_.sectors));
+        const uint32_t columns = grid_.lattice().columns;
+        const glm::vec3 normal = normalAt(grid_, positions.data(), uint32_t(i / columns),
+                                          uint32_t(i % columns));
         vertices[i] = {shading::octahedral_encode(normal), 0, now.centre + points[i]};
     });
     if (mesh_->triangles.empty()) {
-        mesh_->triangles = seaGridTriangles(grid_);
+        mesh_->lattice = grid_.lattice();
+        mesh_->triangles = latticeTriangles(mesh_->lattice);
         ++mesh_->topologyRevision;
     }
     mesh_->positions.swap(positions);

@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include "scene/lattice.h"
+
 namespace gp {
 
 struct SeaGrid {
@@ -15,8 +17,9 @@ struct SeaGrid {
     uint32_t rings = 0;
     float growth = 1;           // radius of a ring over that of the one inside of it
 
-    size_t vertexCount() const { return 1 + size_t(rings) * sectors; }
-    size_t triangleCount() const { return size_t(sectors) * (2 * rings - 1); }
+    // A row for the viewer's feet and one for each ring; the first column again as the last.
+    Lattice lattice() const { return {sectors + 1, rings + 1}; }
+    size_t vertexCount() const { return size_t(sectors + 1) * (rings + 1); }
     // For a viewer `height` metres above the sea (seaGridHeight has limited it).
     float radius(uint32_t ring, float height) const;
     // The side of a cell at that ring, metres.
@@ -31,10 +34,9 @@ SeaGrid seaGrid(uint32_t sectors);
 // The height that the grid is made for: at least a metre, at most 100 km.
 float seaGridHeight(float height);
 
-// Vertices: the middle, then ring after ring, each from +X towards -Z. Seen from above, triangles
-// run counter-clockwise.
-std::vector<glm::uvec3> seaGridTriangles(const SeaGrid& grid);
-// Where the vertices are around the viewer's feet: (towards +X, towards -Z) in metres.
+// Where the vertices are around the viewer's feet: (towards +X, towards -Z) in metres. The middle,
+// then ring after ring, each from +X towards -Z; seen from above, triangles (latticeTriangles) run
+// counter-clockwise. All of the middle are one point, so that half of the triangles there are none.
 std::vector<glm::vec2> seaGridPoints(const SeaGrid& grid, float height);
 
 }  // namespace gp

@@ -9,17 +9,23 @@
 namespace gp {
 namespace {
 
+// Of all vertices at one place the first: the middle, and where the last column is the first again.
+uint32_t place(const SeaGrid& grid, uint32_t vertex) {
+    const uint32_t columns = grid.lattice().columns;
+    const uint32_t row = vertex / columns, column = vertex % columns;
+    return row == 0 ? 0 : row * columns + column % grid.sectors;
+}
+
 TEST(SeaGrid, EveryInnerEdgeBelongsToTwoTriangles) {
     const SeaGrid grid = seaGrid(16);
-    const std::vector<glm::uvec3> triangles = seaGridTriangles(grid);
-    EXPECT_EQ(triangles.size(), grid.triangleCount());
     std::map<std::pair<uint32_t, uint32_t>, int> edges;  // by direction
-    for (const glm::uvec3& t : triangles)
-        for (int i = 0; i < 3; ++i) {
-            ASSERT_LT(t[i], grid.vertexCount());
-            ++edges[{t[i], t[(i + 1) % 3]}];
-        }
-    const uint32_t outermost = 1 + (grid.rings - 1) * grid.sectors;
+    for (const glm::uvec3& t : latticeTriangles(grid.lattice())) {
+        for (int i = 0; i < 3; ++i) ASSERT_LT(t[i], grid.vertexCount());
+        const uint32_t p[3] = {place(grid, t.x), place(grid, t.y), place(grid, t.z)};
+        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+        for (int i = 0; i < 3; ++i) ++edges[{p[i], p[(i + 1) % 3]}];
+    }
+    const uint32_t outermost = grid.rings * grid.lattice().columns;
     size_t border = 0;
     for (const auto& [edge, count] : edges) {
         EXPECT_EQ(count, 1);  // the neighbour runs through it the other way
@@ -30,18 +36,28 @@ TEST(SeaGrid, EveryInnerEdgeBelongsToTwoTriangles) {
     EXPECT_EQ(border, grid.sectors);
 }
 
+TEST(SeaGrid, WhatIsOnePlaceIsOnePoint) {
+    const SeaGrid grid = seaGrid(48);
+    const std::vector<glm::vec2> points = seaGridPoints(grid, 7);
+    ASSERT_EQ(points.size(), grid.vertexCount());
+    for (uint32_t i = 0; i < points.size(); ++i) EXPECT_EQ(points[i], points[place(grid, i)]) << i;
+}
+
 TEST(SeaGrid, TrianglesFaceUpwardsAndReachTheHorizon) {
     for (const uint32_t sectors : {seaSectorsLeast, 384u}) {
         const SeaGrid grid = seaGrid(sectors);
         const float height = 3;
         const std::vector<glm::vec2> points = seaGridPoints(grid, height);
-        ASSERT_EQ(points.size(), grid.vertexCount());
-        for (const glm::uvec3& t : seaGridTriangles(grid)) {
+        size_t none = 0;
+        for (const glm::uvec3& t : latticeTriangles(grid.lattice())) {
             const glm::vec2 a = points[t.y] - points[t.x], b = points[t.z] - points[t.x];
-            ASSERT_GT(a.x * b.y - a.y * b.x, 0) << t.x << ' ' << t.y << ' ' << t.z;
+            const float area = a.x * b.y - a.y * b.x;
+            ASSERT_GE(area, 0) << t.x << ' ' << t.y << ' ' << t.z;
+            none += area == 0;
         }
+        EXPECT_EQ(none, sectors);
         EXPECT_GE(glm::length(points.back()), 5000 * height);
-        EXPECT_NEAR(glm::length(points[1]), 0.1 * height, 1e-4);
+        EXPECT_NEAR(glm::length(points[grid.lattice().columns]), 0.1 * height, 1e-4);
     }
     EXPECT_LT(seaGrid(384).vertexCount(), 260000u);
 }

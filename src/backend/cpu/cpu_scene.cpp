@@ -1,5 +1,6 @@
 #include "backend/cpu/cpu_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -45,7 +46,8 @@ void CpuScene::updateMeshes(const Scene& scene) {
             const Mesh& m = *s.mesh;
             geometries_.push_back({m.triangles.data(), m.positions.data(), m.vertices.data(),
                                    m.uv1.empty() ? nullptr : m.uv1.data(),
-                                   m.colors.empty() ? nullptr : m.colors.data()});
+                                   m.colors.empty() ? nullptr : m.colors.data(),
+                                   m.lattice.columns, m.lattice.rows});
             s.stale |= !s.scene || s.revision != m.revision;
         }
         if (instance->given()->mayPass() && !s.filtered)
@@ -58,25 +60,46 @@ void CpuScene::updateMeshes(const Scene& scene) {
     tbb::parallel_for_each(work, [&](MeshStructure* s) { buildMesh(*s); });
 }
 
+static void setTriangles(RTCGeometry geometry, const Mesh& m) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               m.triangles.data(), 0, sizeof(glm::uvec3), m.triangles.size());
+}
+
+// Blocks of 2 x 2 cells, row by row: what lattice_hit.h reads hits of.
+static void setBlocks(RTCGeometry geometry, const Lattice& lattice) {
+    const uint32_t across = lattice.columns / 2, along = lattice.rows / 2;
+    auto* block = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid),
+        size_t(across) * along));
+    if (!block) throw std::bad_alloc();
+    for (uint32_t row = 0; row < along; ++row)
+        for (uint32_t column = 0; column < across; ++column)
+            *block++ = {2 * (row * lattice.columns + column), lattice.columns,
+                        uint16_t(std::min(3u, lattice.columns - 2 * column)),
+                        uint16_t(std::min(3u, lattice.rows - 2 * row))};
+}
+
 void CpuScene::buildMesh(MeshStructure& s) {
     const Mesh& m = *s.mesh;
-    const bool dynamic = m.kind == MeshKind::dynamic;
+    const bool dynamic = m.kind == MeshKind::dynamic, isLattice = m.lattice.columns != 0;
     if (!s.scene) {
         s.scene.reset(rtcNewScene(device_));
-        s.geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        s.geometry = rtcNewGeometry(
+            device_, isLattice ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE);
         if (!s.scene || !s.geometry) throw std::bad_alloc();
+        if (isLattice) setBlocks(s.geometry, m.lattice);
         rtcSetSceneFlags(s.scene.get(), dynamic ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
         rtcAttachGeometryByID(s.scene.get(), s.geometry, 0);
         rtcReleaseGeometry(s.geometry);  // the scene keeps it
     }
     // Dynamic meshes are built anew: a refit took three to four times as long (ARCHITECTURE.md).
-    const RTCBuildQuality quality = dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH;
+    const RTCBuildQuality quality = isLattice ? RTC_BUILD_QUALITY_MEDIUM
+                                    : dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH;
     rtcSetSceneBuildQuality(s.scene.get(), quality);
     rtcSetGeometryBuildQuality(s.geometry, quality);
     rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                m.positions.data(), 0, sizeof(glm::vec3), m.vertexCount());
-    rtcSetSharedGeometryBuffer(s.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               m.triangles.data(), 0, sizeof(glm::uvec3), m.triangles.size());
+    if (!isLattice) setTriangles(s.geometry, m);
     if (s.filtered) {
         rtcSetGeometryIntersectFilterFunction(s.geometry, kernels_.alphaFilter);
         rtcSetGeometryOccludedFilterFunction(s.geometry, kernels_.alphaFilter);

@@ -19,6 +19,8 @@ inline Hit makeHit(const SceneView& view, uint32_t instance, uint32_t geometry, 
         h.primitive = view.lightOfPrimitive[geometry - view.instanceCount][primitive];
     } else {
         h.instance = instance, h.primitive = primitive;
+        const GeometryView& g = view.geometries[view.instances[instance].geometry];
+        if (g.latticeColumns != 0) latticeHit(g, h);
     }
     return h;
 }
@@ -136,9 +138,9 @@ void alphaFilter(const RTCFilterFunctionNArguments* a) {
         if (a->valid[i] != -1) continue;
         const uint32_t seed = query->packetSeeds ? query->packetSeeds[RTCRayN_id(a->ray, a->N, i)]
                                                  : query->alphaSeed;
-        if (!meetsSurface(*query->scene, RTCHitN_instID(a->hit, a->N, i, 0),
-                          RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
-                          RTCHitN_v(a->hit, a->N, i), seed))
-            a->valid[i] = 0;
+        const Hit h = makeHit(*query->scene, RTCHitN_instID(a->hit, a->N, i, 0), 0,
+                              RTCHitN_primID(a->hit, a->N, i), 0, RTCHitN_u(a->hit, a->N, i),
+                              RTCHitN_v(a->hit, a->N, i));
+        if (!meetsSurface(*query->scene, h.instance, h.primitive, h.u, h.v, seed)) a->valid[i] = 0;
     }
 }

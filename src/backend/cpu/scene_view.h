@@ -44,6 +44,8 @@ struct GeometryView {
     const void* vertices;       // gp::ShadingVertex: normal, tangent, uv
     const glm::vec2* uv1;       // null: none
     const glm::u8vec4* colors;  // null: none
+    uint32_t latticeColumns;    // of vertices, where Embree has a lattice for the triangles; or 0
+    uint32_t latticeRows;
 };
 
 // EnvironmentTable of scene/environment_table.h.

@@ -182,6 +182,7 @@ using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
 
 #include "backend/cpu/isa/camera_params.h"
+#include "backend/cpu/lattice_hit.h"
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"
 
