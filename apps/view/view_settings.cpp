@@ -106,9 +106,11 @@ void setLight(ViewModel& model, const std::string& name, const std::string& word
         throw UsageError(fmt::format("{}: {} is not NUMBER.FIELD=VALUE", name, word));
     }
     const auto index = parseInteger(name, place.substr(0, dot), 0, 1u << 30);
-    model.changeLight(static_cast<std::size_t>(index), [&](SceneLight& light) {
-        setLightField(light, place.substr(dot + 1), value);
-    });
+    const std::string field = place.substr(dot + 1);
+    model.changeLight(static_cast<std::size_t>(index),
+                      [&field, &word = value](SceneLight& light) {
+                          setLightField(light, field, word);
+                      });
 }
 
 void addLightNamed(ViewModel& model, const std::string& name, const std::string& word) {
