@@ -219,5 +219,20 @@ TEST_F(ViewSeaThread, RealTimeAndTheReferenceBesideAreOfTheSameMoment) {
     EXPECT_EQ(besides(), first);
 }
 
+TEST_F(ViewSeaThread, PicturesAreSavedWhileItMoves) {
+    const TestFolder folder;
+    m_choices.size = {320, 240};  // more than the two milliseconds between the steps below
+    m_choices.liveSeconds = 100;  // at full size
+    waitFor([](const ShownPicture&) { return true; });
+    m_renderer->save(folder("a.exr"));
+    for (int i = 0; i < 5000 && m_renderer->isSaving(); ++i) {
+        m_choices.sea.seconds += 0.01;
+        m_renderer->show(m_choices);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_FALSE(m_renderer->isSaving());
+    EXPECT_TRUE(exists(folder("a.exr")));
+}
+
 }  // namespace
 }  // namespace gp::test
