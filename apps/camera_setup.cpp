@@ -43,7 +43,7 @@ GpCameraDesc fileCamera(GpDevice device, GpScene scene, const std::string& wante
 }
 
 GpCameraDesc baseCamera(GpDevice device, GpScene scene, const RenderSettings& s,
-                        std::vector<std::string>& notes) {
+                        std::vector<std::string>& notes, const GpCameraDesc* standard) {
     if (!s.camera.empty()) {
         return fileCamera(device, scene, s.camera);
     }
@@ -51,6 +51,9 @@ GpCameraDesc baseCamera(GpDevice device, GpScene scene, const RenderSettings& s,
     if (cameraCount(device, scene) > 0) {
         check(device, gpGetSceneCamera(scene, 0, &camera, nullptr));
         return camera;
+    }
+    if (standard != nullptr) {
+        return *standard;
     }
     const float aspect = static_cast<float>(s.size.width) / static_cast<float>(s.size.height);
     check(device, gpFrameScene(scene, aspect, &camera));
@@ -82,8 +85,8 @@ void setUp(GpCameraDesc& camera) {
 }  // namespace
 
 GpCameraDesc setUpCamera(GpDevice device, GpScene scene, const RenderSettings& s,
-                         std::vector<std::string>& notes) {
-    GpCameraDesc camera = baseCamera(device, scene, s, notes);
+                         std::vector<std::string>& notes, const GpCameraDesc* standard) {
+    GpCameraDesc camera = baseCamera(device, scene, s, notes, standard);
     if (s.from || s.lookAt) {
         // The lens and the roll of the file's camera were made for its own place.
         GpCameraDesc placed{};
@@ -92,6 +95,10 @@ GpCameraDesc setUpCamera(GpDevice device, GpScene scene, const RenderSettings& s
         setMiddle(device, scene, placed.target);
         if (s.from) {
             std::memcpy(placed.position, s.from->data(), sizeof placed.position);
+        }
+        for (int axis = 0; standard != nullptr && axis < 3; ++axis) {
+            placed.target[axis] =
+                placed.position[axis] + standard->target[axis] - standard->position[axis];
         }
         if (s.lookAt) {
             std::memcpy(placed.target, s.lookAt->data(), sizeof placed.target);

@@ -49,19 +49,19 @@ std::uint32_t parseLayers(const std::string& word) {
     return layers;
 }
 
-SunSettings parseSun(const std::string& word) {
-    const std::array<float, 3> numbers = parseTriple("--sun", word);
-    SunSettings sun{numbers[0], numbers[1], numbers[2]};
-    if (sun.elevationDeg < -90 || sun.elevationDeg > 90) {
-        throw UsageError(fmt::format("--sun: elevation {} is not in -90..90", sun.elevationDeg));
+}  // namespace
+
+SunSettings parseSun(const std::string& word, double lowest) {
+    const std::vector<std::string> parts = splitAtCommas(word);
+    if (parts.size() != 2 && parts.size() != 3) {
+        throw UsageError(fmt::format("--sun: '{}' must be AZ,EL or AZ,EL,LUX", word));
     }
-    if (sun.lux < 0) {
-        throw UsageError(fmt::format("--sun: {} lux is negative", sun.lux));
-    }
+    SunSettings sun;
+    sun.azimuthDeg = parseNumber("--sun", parts[0]);
+    sun.elevationDeg = parseNumber("--sun", parts[1], lowest, 90);
+    sun.lux = parts.size() == 3 ? parseNumberFrom("--sun", parts[2], 0, false) : 0;
     return sun;
 }
-
-}  // namespace
 
 void addLightOptions(CLI::App& app, RenderSettings& s) {
     const std::string group = "Light";
@@ -78,11 +78,11 @@ void addLightOptions(CLI::App& app, RenderSettings& s) {
             [&s](const std::string& word) {
                 s.environmentColor = parseTriple("--env-color", word);
             })->group(group);
-    addWord(app, "--sun", "AZ,EL,LUX",
+    addWord(app, "--sun", "AZ,EL[,LUX]",
             "A sun at azimuth (degrees from -Z towards +X) and elevation (degrees), with this "
-            "illuminance on a plane facing it (0: by its elevation). With --env or --env-color "
-            "it is added to them; without, the sky around it comes too",
-            [&s](const std::string& word) { s.sun = parseSun(word); })->group(group);
+            "illuminance on a plane facing it (0 or none: by its elevation). With --env or "
+            "--env-color it is added to them; without, the sky around it comes too",
+            [&s](const std::string& word) { s.sun = parseSun(word, -90); })->group(group);
 }
 
 void addCameraOptions(CLI::App& app, RenderSettings& s) {

@@ -82,6 +82,9 @@ void addQualityOptions(CLI::App& app, RenderSettings& settings);
 void addPictureOptions(CLI::App& app, RenderSettings& settings);
 void addMachineOptions(CLI::App& app, RenderSettings& settings);
 
+// "AZ,EL" or "AZ,EL,LUX", of --sun, at `lowest` degrees or higher; throws UsageError.
+SunSettings parseSun(const std::string& word, double lowest);
+
 // By the ending of the name; throws UsageError.
 PictureFormat pictureFormat(const std::string& path);
 

@@ -28,7 +28,8 @@ void addLight(GpDevice device, const RenderSettings& settings, SceneSetup& setup
 // The environment or sky that setUpScene gave the scene, again: for who has set another one.
 void setUpSurroundings(GpDevice device, const SceneSetup& setup, const RenderSettings& settings);
 
+// `standard`: the camera, and where it looks, of a scene that has none and nothing to be framed.
 GpCameraDesc setUpCamera(GpDevice device, GpScene scene, const RenderSettings& settings,
-                         std::vector<std::string>& notes);
+                         std::vector<std::string>& notes, const GpCameraDesc* standard = nullptr);
 
 }  // namespace gp::tool

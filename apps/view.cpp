@@ -12,6 +12,7 @@
 #include "render_frame.h"
 #include "scene_description.h"
 #include "scene_setup.h"
+#include "sea/sea_options.h"
 #include "tool_error.h"
 #include "view/image_view.h"
 #include "view/view_session.h"
@@ -28,13 +29,91 @@ constexpr const char* kNotes =
     "Examples:\n"
     "  glitterpath view helmet.glb\n"
     "  glitterpath view room.glb --sun 262,30,0 --fps 20 --image normal\n"
+    "  glitterpath view --ocean --wind 8 --sun 0,4\n"
+    "  glitterpath view boat.glb --ocean --sea-level 0.2 --transparent on\n"
     "  glitterpath view room.glb --script flight.txt --json report.json";
+
+// Its triangles are made anew in every frame: 384 cells, the library's own number, would leave no
+// time for rays.
+constexpr std::uint32_t kSeaResolution = 128;
 
 struct ViewSettings {
     RenderSettings render;
     ViewChoices choices;
+    SeaCamera seaCamera;
     std::string scriptPath, screenshotPath = "picture.png";
+
+    ViewSettings() { choices.sea.desc.resolution = kSeaResolution; }
+    bool isSeaAlone() const { return render.scenePath.empty(); }
 };
+
+void addViewSeaOptions(CLI::App& app, ViewSettings& s) {
+    app.add_flag("--ocean", s.choices.sea.isThere,
+                 "The sea around the scene, or alone where no SCENE is given. Words as in "
+                 "`glitterpath ocean`; --time is where its waves begin")->group("Sea");
+    addSeaOptions(app, seaWords(), s.choices.sea.desc);
+    addSeaOptions(app, seaInSceneWords(), s.choices.sea.desc);
+    addWord(app, "--sea-speed", "X",
+            "How fast the waves go, 0..100 times real time (default 1; 0: they stand)",
+            [&s](const std::string& word) {
+                s.choices.sea.speed = parseNumber("--sea-speed", word, 0, kFastestSea);
+            })->group("Sea");
+    addSeaCameraOptions(app, s.seaCamera);
+}
+
+// Throws UsageError. The sea begins at --time.
+void checkSeaSettings(const CLI::App& app, ViewSettings& s) {
+    SeaChoices& sea = s.choices.sea;
+    if (!sea.isThere) {
+        for (const CLI::Option* option : app.get_options()) {
+            if (option->get_group() == "Sea" && option->count() > 0) {
+                throw UsageError(fmt::format("{}: only with --ocean", option->get_name()));
+            }
+        }
+        if (s.isSeaAlone()) {
+            throw UsageError("SCENE is required, a .gltf or .glb file, or --ocean");
+        }
+    }
+    for (const char* name : kSeaCameraOptions) {
+        if (app.count(name) > 0 && !s.isSeaAlone()) {
+            throw UsageError(fmt::format("{}: only with --ocean and without SCENE; --from and "
+                                         "--look-at place the camera", name));
+        }
+    }
+    for (const char* name : {"--material", "--animation", "--scene", "--camera"}) {
+        if (app.count(name) > 0 && s.isSeaAlone()) {
+            throw UsageError(fmt::format("{}: only with SCENE", name));
+        }
+    }
+    if (const std::string fault = seaFault(sea.desc, "--"); !fault.empty()) {
+        throw UsageError(fault);
+    }
+    if (sea.isThere && std::abs(s.render.load.time) > kLongestSeaTime) {
+        throw UsageError(fmt::format("--time: {} is not in {}..{}", s.render.load.time,
+                                     -kLongestSeaTime, kLongestSeaTime));
+    }
+    sea.seconds = s.render.load.time;
+    if (s.isSeaAlone()) {
+        addSeaLight(s.render);
+    }
+}
+
+SceneSetup setUpViewed(GpDevice device, const RenderSettings& settings) {
+    if (!settings.scenePath.empty()) {
+        return setUpScene(device, settings);
+    }
+    SceneSetup setup;
+    setup.scene = newScene(device);
+    addLight(device, settings, setup);
+    return setup;
+}
+
+void addSea(GpDevice device, GpScene scene, const SeaChoices& sea) {
+    if (sea.isThere) {
+        check(device, gpSetOcean(scene, &sea.desc));
+        check(device, gpSetOceanTime(scene, sea.seconds));
+    }
+}
 
 void addViewOptions(CLI::App& app, ViewSettings& s) {
     const std::string group = "View";
@@ -119,15 +198,30 @@ float metresToSee(GpDevice device, GpScene scene, const GpCameraDesc& camera) {
     return *middle;
 }
 
-SceneFacts factsOf(GpDevice device, SceneSetup& setup, const RenderSettings& settings) {
+// Where the viewer begins, and what F shows.
+void setUpViews(GpDevice device, SceneSetup& setup, const ViewSettings& s, SceneFacts& facts) {
+    GpScene scene = setup.scene.get();
+    if (s.isSeaAlone()) {
+        facts.wholeScene = s.seaCamera.over(s.choices.sea.desc, s.render.fovDeg);
+        facts.start = setUpCamera(device, scene, s.render, setup.notes, &facts.wholeScene);
+        return;
+    }
+    facts.start = setUpCamera(device, scene, s.render, setup.notes);
+    const float aspect =
+        static_cast<float>(s.render.size.width) / static_cast<float>(s.render.size.height);
+    check(device, gpFrameScene(scene, aspect, &facts.wholeScene));
+}
+
+// Of the scene as it was loaded: the sea comes into it here, behind all that has a number.
+SceneFacts factsOf(GpDevice device, SceneSetup& setup, const ViewSettings& s) {
+    const RenderSettings& settings = s.render;
     SceneFacts facts;
     GpScene scene = setup.scene.get();
-    facts.path = settings.scenePath;
+    facts.path = s.isSeaAlone() ? "the sea" : settings.scenePath;
     facts.deviceName = gpGetDeviceName(device);
-    facts.start = setUpCamera(device, scene, settings, setup.notes);
-    const float aspect =
-        static_cast<float>(settings.size.width) / static_cast<float>(settings.size.height);
-    check(device, gpFrameScene(scene, aspect, &facts.wholeScene));
+    facts.index = SceneIndex(describeScene(device, scene));
+    setUpViews(device, setup, s, facts);
+    addSea(device, scene, s.choices.sea);
     GpSceneInfo info{};
     check(device, gpGetSceneInfo(scene, &info));
     for (std::uint32_t i = 0; i < info.cameras; ++i) {
@@ -136,7 +230,6 @@ SceneFacts factsOf(GpDevice device, SceneSetup& setup, const RenderSettings& set
         facts.cameras.push_back(camera);
     }
     facts.reach = metresToSee(device, scene, facts.start);
-    facts.index = SceneIndex(describeScene(device, scene));
     // The sun of a sky comes last and goes with it: it belongs to the surroundings.
     const bool hasSkySun = settings.environmentPath.empty() && !settings.environmentColor &&
                            (settings.sun || setup.skyAdded);
@@ -146,8 +239,20 @@ SceneFacts factsOf(GpDevice device, SceneSetup& setup, const RenderSettings& set
     return facts;
 }
 
-int runView(ViewSettings& settings) {
+// The sky that the light panel begins with is the one that is there.
+Surroundings firstSky(const RenderSettings& render) {
+    Surroundings surroundings;
+    if (render.sun) {
+        const double turned = std::fmod(render.sun->azimuthDeg, 360.0);
+        surroundings.azimuthDeg = static_cast<float>(turned < 0 ? turned + 360 : turned);
+        surroundings.elevationDeg = static_cast<float>(std::max(render.sun->elevationDeg, 0.0));
+    }
+    return surroundings;
+}
+
+int runView(const CLI::App& app, ViewSettings& settings) {
     RenderSettings& render = settings.render;
+    checkSeaSettings(app, settings);
     checkLightSettings(render);
     if (!render.jsonPath.empty()) {
         checkWritable(render.jsonPath);
@@ -158,13 +263,15 @@ int runView(ViewSettings& settings) {
     session.script = readScript(settings.scriptPath);
     session.scriptPath = settings.scriptPath;
     const Device device = newDevice(render.device);
-    SceneSetup setup = setUpScene(device.get(), render);
+    SceneSetup setup = setUpViewed(device.get(), render);
     session.scene = {device.get(), setup.scene.get(),
-                     [&] { setUpSurroundings(device.get(), setup, render); }};
+                     [&] { setUpSurroundings(device.get(), setup, render); },
+                     settings.choices.sea};
     session.jsonPath = render.jsonPath;
     session.quiet = render.quiet;
-    session.facts = factsOf(device.get(), setup, render);
+    session.facts = factsOf(device.get(), setup, settings);
     session.choices = settings.choices;
+    session.choices.surroundings = firstSky(render);
     session.choices.reference |= settings.choices.live != LiveMode::realtime;
     session.windowSize = {render.size.width, render.size.height};
     session.screenshotPath = settings.screenshotPath;
@@ -181,13 +288,17 @@ Command addViewCommand(CLI::App& tool) {
     CLI::App* app = tool.add_subcommand("view", "Fly through a scene in a window");
     const auto settings = std::make_shared<ViewSettings>();
     addSceneOptions(*app, settings->render);
+    app->get_option("SCENE")
+        ->required(false)
+        ->description("The scene: a .gltf or .glb file; with --ocean it may be left out");
     addViewOptions(*app, *settings);
     addCameraOptions(*app, settings->render);
     app->get_option("--size")->description("Pixels of the window (default 1280x720)");
     addLightOptions(*app, settings->render);
+    addViewSeaOptions(*app, *settings);
     addMachineOptions(*app, settings->render);
     app->footer(kNotes);
-    return {app, [settings] { return runView(*settings); }};
+    return {app, [app, settings] { return runView(*app, *settings); }};
 }
 
 }  // namespace gp::tool

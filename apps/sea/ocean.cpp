@@ -1,9 +1,6 @@
 // glitterpath ocean: the sea with a sky over it, as a picture or a moving one.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "animate/animate_frames.h"
 #include "animate/moving_scene.h"
 #include "commands.h"
@@ -28,20 +25,8 @@ constexpr const char* kNotes =
     "  glitterpath ocean --wind 12 --fetch 300 --frames 240 --fps 24 -o sea.mp4\n"
     "  glitterpath ocean --env harbour.hdr --depth 4 --spectrum tma --size 1920x1080 -o bay.exr";
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-
 GpCameraDesc cameraOf(const OceanSettings& s) {
-    const double pitch = s.pitchDeg * kRadiansPerDegree;
-    const double heading = s.headingDeg * kRadiansPerDegree;
-    const double height = static_cast<double>(s.sea.level) + s.cameraHeight;
-    GpCameraDesc camera{};
-    camera.position[1] = static_cast<float>(height);
-    camera.target[0] = static_cast<float>(std::cos(pitch) * std::sin(heading));
-    camera.target[1] = static_cast<float>(height + std::sin(pitch));
-    camera.target[2] = static_cast<float>(-std::cos(pitch) * std::cos(heading));
-    camera.verticalFov =
-        static_cast<float>(s.picture.render.fovDeg.value_or(45.0) * kRadiansPerDegree);
-    return camera;
+    return s.camera.over(s.sea, s.picture.render.fovDeg);
 }
 
 SceneSetup setUpSea(GpDevice device, const OceanSettings& s) {

@@ -1,10 +1,10 @@
 // What `glitterpath ocean` was asked for.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "animate/animate_settings.h"
+#include "sea/sea_options.h"
 
 namespace gp::tool {
 
@@ -17,10 +17,7 @@ struct OceanSettings {
     double timeSeconds = 0;
     std::string mapFolder;             // --maps; empty: none
 
-    // the camera
-    double cameraHeight = 3;           // metres above the water at rest
-    double pitchDeg = -6;              // above the horizontal
-    double headingDeg = 0;             // from -Z towards +X
+    SeaCamera camera;
 
     bool moves() const { return picture.frames > 0; }
 };

@@ -23,6 +23,8 @@ const std::vector<KeyInfo>& allKeys() {
         {Key::level, "L", "level the horizon"},
         {Key::reference, "P", "progressive reference at rest, on and off"},
         {Key::beside, "B", "reference beside the picture, on and off"},
+        {Key::seaPause, "Space", "the sea stands still, or goes on"},
+        {Key::seaStep, ".", "the sea stands still, 1/24 s later"},
         {Key::panels, "Tab", "panels, on and off"},
         {Key::screenshot, "F12", "save the picture"},
         {Key::quit, "Escape", "end"}};

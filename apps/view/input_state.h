@@ -13,7 +13,7 @@ namespace gp::tool::view {
 enum class Key {
     forward, back, left, right, up, down, fast,           // held
     wholeScene, startView, nextCamera, level, reference,  // pressed
-    beside, panels, screenshot, quit
+    beside, seaPause, seaStep, panels, screenshot, quit
 };
 
 struct KeyInfo {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "sea/sea_words.h"
+
 namespace gp::tool::view {
 namespace {
 
@@ -40,6 +42,7 @@ void SceneEdits::apply(const ViewChoices& choices) {
     applyLights(choices.lights);  // first: another sky would give the file's lights other numbers
     applySurroundings(choices.surroundings);
     applyLamp(choices.lamp, choices.camera);
+    applySea(choices.sea);
 }
 
 void SceneEdits::applySurroundings(const Surroundings& wanted) {
@@ -126,6 +129,23 @@ void SceneEdits::applyLamp(const HandLamp& wanted, const GpCameraDesc& camera) {
         check(m_scene.device, gpSetLight(m_lamp, &desc));
     }
     m_lampDesc = desc;
+}
+
+void SceneEdits::applySea(const SeaChoices& wanted) {
+    if (sameWaves(wanted, m_sea)) {
+        return;
+    }
+    const bool isOther = wanted.isThere != m_sea.isThere || !sameSea(wanted.desc, m_sea.desc);
+    if (isOther) {
+        check(m_scene.device,
+              gpSetOcean(m_scene.scene, wanted.isThere ? &wanted.desc : nullptr));
+        m_sea = wanted;
+        m_sea.seconds = 0;  // should the next call fail
+    }
+    if (wanted.isThere && wanted.seconds != m_sea.seconds) {
+        check(m_scene.device, gpSetOceanTime(m_scene.scene, wanted.seconds));
+    }
+    m_sea = wanted;
 }
 
 }  // namespace gp::tool::view

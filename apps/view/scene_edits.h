@@ -1,4 +1,4 @@
-// Changes of the scene's light that a person makes while looking.
+// Changes of the scene that a person makes while looking: its light and its sea.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,14 @@ struct ViewedScene {
     GpDevice device = nullptr;
     GpScene scene = nullptr;
     std::function<void()> restoreSurroundings;  // those that it was loaded with
+    SeaChoices sea{};                           // that it has
 };
 
 // Brings the scene to what was chosen; only what differs from the last time is touched.
 class SceneEdits {
 public:
     // Device and scene must outlive it. The scene is as it was loaded.
-    explicit SceneEdits(ViewedScene scene) : m_scene(std::move(scene)) {}
+    explicit SceneEdits(ViewedScene scene) : m_scene(std::move(scene)), m_sea(m_scene.sea) {}
     ~SceneEdits();
     SceneEdits(const SceneEdits&) = delete;
     SceneEdits& operator=(const SceneEdits&) = delete;
@@ -33,6 +34,7 @@ private:
     void applyLight(std::size_t i, const SceneLight& wanted);
     void takeHandles(const std::vector<SceneLight>& wanted);
     void applyLamp(const HandLamp& wanted, const GpCameraDesc& camera);
+    void applySea(const SeaChoices& wanted);
 
     ViewedScene m_scene;
     Surroundings m_surroundings;
@@ -40,6 +42,7 @@ private:
     std::vector<GpLight> m_lightHandles;  // of these; null where the scene has it not
     GpLight m_lamp = nullptr;  // the scene's, while it is on
     GpLightDesc m_lampDesc{};
+    SeaChoices m_sea;          // as it is in the scene
 };
 
 }  // namespace gp::tool::view

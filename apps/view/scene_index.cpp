@@ -106,6 +106,10 @@ std::optional<PickedThing> SceneIndex::thingAt(std::uint32_t id) const {
     return thing;
 }
 
+std::size_t SceneIndex::instanceCount() const {
+    return m_description.contains("instances") ? m_description.at("instances").size() : 0;
+}
+
 std::vector<std::string> SceneIndex::cameras() const {
     std::vector<std::string> names;
     for (const Json& camera : m_description.value("cameras", Json::array())) {

@@ -29,6 +29,7 @@ public:
 
     // id: a value of GP_IMAGE_INSTANCE; nothing for 0, and for numbers of no instance.
     std::optional<PickedThing> thingAt(std::uint32_t id) const;
+    std::size_t instanceCount() const;
     std::vector<std::string> cameras() const;  // their names, "" for those without
 
 private:

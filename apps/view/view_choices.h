@@ -56,6 +56,16 @@ struct HandLamp {
     friend bool operator==(const HandLamp&, const HandLamp&) = default;
 };
 
+// The sea of the scene.
+struct SeaChoices {
+    bool isThere = false;
+    GpOceanDesc desc{};
+    double seconds = 0;           // where its waves are
+    // How they go on.
+    double speed = 1;             // seconds of the sea in a second
+    bool isPaused = false;
+};
+
 struct ViewChoices {
     // What is traced.
     GpCameraDesc camera{};
@@ -66,6 +76,7 @@ struct ViewChoices {
     Surroundings surroundings;
     HandLamp lamp;
     SceneLights lights;           // null: as they were loaded
+    SeaChoices sea;
     bool beside = false;          // left of the divider the live picture, right of it the reference
     bool reference = false;       // at rest: add samples until there are this many
     std::uint32_t mostSamples = 4096;
@@ -79,6 +90,10 @@ struct ViewChoices {
 
 // Whether the exposure is that of the real-time frame itself.
 bool eyeDecides(const ViewChoices& choices);
+// Whether the waves go on. A reference that somebody asked for is one of a moment.
+bool seaMoves(const ViewChoices& choices);
+// Whether both are the same sea at the same moment.
+bool sameWaves(const SeaChoices& a, const SeaChoices& b);
 // Whether the same samples serve both.
 bool sameView(const ViewChoices& a, const ViewChoices& b);
 // Whether everything is the same.

@@ -19,6 +19,7 @@ ViewModel::ViewModel(SceneFacts facts, const ViewChoices& choices, std::string s
     : m_facts(std::move(facts)),
       m_camera(m_facts.start, m_facts.reach),
       m_choices(choices),
+      m_seaDraft(choices.sea.desc),
       m_screenshotPath(std::move(screenshotPath)) {}
 
 void ViewModel::advance(const FrameInput& input, double seconds, const PictureArea& area) {
@@ -31,6 +32,7 @@ void ViewModel::advance(const FrameInput& input, double seconds, const PictureAr
         m_camera.turn(input.drag.x, input.drag.y, area.height);
     }
     m_camera.changeSpeed(input.wheel);
+    advanceSea(std::max(seconds, 0.0));
     pick(input, area);
 }
 
@@ -42,6 +44,8 @@ void ViewModel::press(Key key) {
         case Key::level: m_camera.levelOut(); break;
         case Key::reference: m_choices.reference = !m_choices.reference; break;
         case Key::beside: m_choices.beside = !m_choices.beside; break;
+        case Key::seaPause:
+        case Key::seaStep: pressSea(key); break;
         case Key::panels: m_showsPanels = !m_showsPanels; break;
         case Key::screenshot: requestScreenshot(); break;
         case Key::quit: m_quit = true; break;
@@ -135,7 +139,7 @@ void ViewModel::pick(const FrameInput& input, const PictureArea& area) {
         id = m_picture->ids[y * size.width + x];
     }
     if (id != m_hoveredId) {
-        m_hovered = m_facts.index.thingAt(id);
+        m_hovered = thingAt(id);
         m_hoveredId = id;
     }
     if (input.clicked) {
@@ -152,6 +156,8 @@ void ViewModel::accept(ShownPicture picture) {
 
 void ViewModel::accept(const ViewNote& note) {
     m_message = note;
+    // What failed would be tried again, and fail again, with every step of the waves.
+    m_choices.sea.isPaused |= note.isError;
 }
 
 bool ViewModel::takeScreenshotRequest() {

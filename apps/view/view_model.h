@@ -67,6 +67,22 @@ public:
     // Where the camera is; polygons are not made by hand.
     void addLight(GpLightKind kind);
 
+    // The sea, also of a scene that came without; its settings stay while it is away.
+    void setSeaThere(bool isThere);
+    // Another sea at the same moment. Throws UsageError where there is none, and where no sea can
+    // be like that; nothing has changed then.
+    void changeSea(const GpOceanDesc& desc);
+    // What a panel is changing, which asks for a new sea when it is let go.
+    GpOceanDesc& seaDraft() { return m_seaDraft; }
+    // changeSea with the draft; a fault is told as a message, and the draft is what it was.
+    void finishSeaDraft();
+    // These throw UsageError where there is none.
+    void setSeaTime(double seconds);
+    void setSeaSpeed(double speed);
+    void pauseSea(bool isPaused);
+    // Stands still a moment later.
+    void stepSea();
+
     // What to render: the choices with the camera where it is now.
     ViewChoices choicesFor(RenderSize size) const;
 
@@ -80,6 +96,8 @@ public:
     // Pinned by a click, else under the mouse.
     const std::optional<PickedThing>& thing() const { return m_pinned ? m_pinned : m_hovered; }
     bool isPinned() const { return m_pinned.has_value(); }
+    // Whether the waves go on by themselves.
+    bool seaMoves() const { return view::seaMoves(m_choices); }
     void unpin() { m_pinned.reset(); }
     const std::string& message() const { return m_message.text; }
     bool messageIsError() const { return m_message.isError; }
@@ -93,12 +111,18 @@ public:
 private:
     void press(Key key);
     void pick(const FrameInput& input, const PictureArea& area);
+    std::optional<PickedThing> thingAt(std::uint32_t id) const;
+    void needSea() const;
+    void pressSea(Key key);
+    nlohmann::ordered_json seaJson() const;
+    void advanceSea(double seconds);
     // Returns whether the drag is one of the divider's.
     bool dragDivider(const FrameInput& input, const PictureArea& area);
 
     SceneFacts m_facts;
     FlyCamera m_camera;
     ViewChoices m_choices;
+    GpOceanDesc m_seaDraft;
     std::string m_screenshotPath;
     std::optional<ShownPicture> m_picture;
     TimeHistory m_times;

@@ -60,7 +60,7 @@ std::optional<ShownPicture> ViewRenderer::take() {
 
 void ViewRenderer::save(const std::string& path) {
     const std::lock_guard lock(m_mutex);
-    m_toSave.push_back(path);
+    m_toSave.push_back({path, m_serial});
     m_changed.notify_all();
 }
 
@@ -103,14 +103,15 @@ ViewRenderer::Job ViewRenderer::nextJob(std::unique_lock<std::mutex>& lock) {
         if (m_traced && m_traced->beside && m_besideDue && m_frames.samplesBeside() == 0) {
             return Job::beside;
         }
+        // Before the next step of what moves all the time, a sea, which would put it off for ever.
+        if (m_traced && !m_toSave.empty() && m_shownSerial >= m_toSave.front().serial) {
+            return Job::save;
+        }
         if (!m_traced || !sameView(*m_traced, m_choices)) {
             return Job::live;
         }
         if (isNew) {
             return Job::reshow;
-        }
-        if (!m_toSave.empty()) {
-            return Job::save;
         }
         if (m_choices.beside) {
             if (const std::optional<Job> job = besideJob()) {
@@ -183,7 +184,7 @@ void ViewRenderer::work(Job job, const ViewChoices& choices, std::uint64_t seria
         case Job::beside: renderBeside(choices); break;
         case Job::save: {
             std::unique_lock lock(m_mutex);
-            const std::string path = m_toSave.front();
+            const std::string path = m_toSave.front().path;
             m_toSave.erase(m_toSave.begin());
             lock.unlock();
             saveNow(path);

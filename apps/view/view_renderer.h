@@ -63,7 +63,11 @@ private:
     ViewChoices m_choices;
     std::uint64_t m_serial = 0;
     std::optional<ShownPicture> m_picture;
-    std::vector<std::string> m_toSave;
+    struct Save {
+        std::string path;
+        std::uint64_t serial = 0;  // of the choices when it was asked for
+    };
+    std::vector<Save> m_toSave;
     std::vector<ViewNote> m_notes;
     bool m_stop = false, m_saving = false, m_cancellable = false;
     std::uint64_t m_workingOn = 0;  // the serial of the choices that are being rendered

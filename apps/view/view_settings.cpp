@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "parse.h"
+#include "sea/sea_words.h"
 #include "tool_error.h"
 #include "view/image_view.h"
 #include "view/view_model.h"
@@ -105,9 +106,11 @@ void setLight(ViewModel& model, const std::string& name, const std::string& word
         throw UsageError(fmt::format("{}: {} is not NUMBER.FIELD=VALUE", name, word));
     }
     const auto index = parseInteger(name, place.substr(0, dot), 0, 1u << 30);
-    model.changeLight(static_cast<std::size_t>(index), [&](SceneLight& light) {
-        setLightField(light, place.substr(dot + 1), value);
-    });
+    const std::string field = place.substr(dot + 1);
+    model.changeLight(static_cast<std::size_t>(index),
+                      [&field, &word = value](SceneLight& light) {
+                          setLightField(light, field, word);
+                      });
 }
 
 void addLightNamed(ViewModel& model, const std::string& name, const std::string& word) {
@@ -124,8 +127,10 @@ void removeLight(ViewModel& model, const std::string& name, const std::string& w
                       [](SceneLight& light) { light.isRemoved = true; });
 }
 
-const std::vector<std::pair<std::string, Setter>>& setters() {
-    static const std::vector<std::pair<std::string, Setter>> all = {
+using Setters = std::vector<std::pair<std::string, Setter>>;
+
+Setters sceneSetters() {
+    return {
         {"camera", setCamera},
         {"position", setPosition},
         {"fov",
@@ -214,6 +219,41 @@ const std::vector<std::pair<std::string, Setter>>& setters() {
          [](ViewModel& m, const std::string& name, const std::string& word) {
              m.choices().lamp.intensity = static_cast<float>(parseNumber(name, word, 0, 1e9));
          }}};
+}
+
+// Waves and water by the words of --help, and their time.
+void addSeaSetters(Setters& all) {
+    for (const SeaWord* word : allSeaWords()) {
+        all.emplace_back(word->name, [word](ViewModel& m, const std::string& name,
+                                            const std::string& value) {
+            GpOceanDesc sea = m.choices().sea.desc;
+            word->set(sea, name, value);
+            m.changeSea(sea);
+        });
+    }
+    all.emplace_back("sea", [](ViewModel& m, const std::string& name, const std::string& word) {
+        m.setSeaThere(parseSwitch(name, word));
+    });
+    all.emplace_back("sea-time", [](ViewModel& m, const std::string& name,
+                                    const std::string& word) {
+        m.setSeaTime(parseNumber(name, word, -kLongestSeaTime, kLongestSeaTime));
+    });
+    all.emplace_back("sea-speed", [](ViewModel& m, const std::string& name,
+                                     const std::string& word) {
+        m.setSeaSpeed(parseNumber(name, word, 0, kFastestSea));
+    });
+    all.emplace_back("sea-pause", [](ViewModel& m, const std::string& name,
+                                     const std::string& word) {
+        m.pauseSea(parseSwitch(name, word));
+    });
+}
+
+const Setters& setters() {
+    static const Setters all = [] {
+        Setters some = sceneSetters();
+        addSeaSetters(some);
+        return some;
+    }();
     return all;
 }
 

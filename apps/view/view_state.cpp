@@ -42,6 +42,7 @@ Json ViewModel::stateJson() const {
     json["tuned"] = m_choices.realtime.numbers;
     json["divider"] = m_choices.divider;
     json["lights"] = lightsJson(lights());
+    json["sea"] = seaJson();
     if (m_picture) {
         json["render_size"] = {m_picture->size.width, m_picture->size.height};
         json["scale"] = m_picture->scale;

@@ -23,6 +23,7 @@ inline constexpr std::pair<const char*, GpTonemap> kTonemapWords[] = {
 inline constexpr double kLowestFps = 1;
 inline constexpr double kHighestFps = 240;
 inline constexpr double kLongestAdaptation = 3600;  // seconds, the library's
+inline constexpr double kFastestSea = 100;          // times real time
 inline constexpr std::uint32_t kMostSamples = 1u << 24;
 inline constexpr std::int32_t kMostBounces = 16;  // and mirrors, of real time
 

@@ -110,11 +110,17 @@ TEST(ViewModel, EverySettingChangesTheChoices) {
         {"light-reuse", "biased"}, {"indirect-reuse", "unbiased"}, {"eye-adaptation", "0.5"},
         {"tune", "filter_depth=2"},
         {"light", "0.intensity=7"}, {"add-light", "spot"}, {"remove-light", "0"},
-        {"beside", "on"},         {"divider", "0.25"}};
+        {"beside", "on"},         {"divider", "0.25"},
+        {"wind", "5"}, {"wind-direction", "30"}, {"fetch", "5"}, {"depth", "5"},
+        {"spectrum", "phillips"}, {"swell", "1"}, {"choppiness", "0"}, {"foam", "0"},
+        {"sea-seed", "5"}, {"cascades", "1"}, {"resolution", "16"}, {"glints", "on"},
+        {"glint-density", "50"}, {"masking", "smith"}, {"sea-level", "5"}, {"transparent", "on"},
+        {"sea", "off"}, {"sea-time", "5"}, {"sea-speed", "5"}, {"sea-pause", "on"}};
     const std::vector<std::string> names = ViewModel::settingNames();
     EXPECT_EQ(names.size(), std::size(settings)) << "one is missing in this test";
     for (const auto& [name, value] : settings) {
         ViewModel model = newModel();
+        model.choices().sea.isThere = true;
         const ViewChoices before = model.choicesFor({8, 8});
         model.set(name, value);
         EXPECT_FALSE(sameChoices(before, model.choicesFor({8, 8}))) << name;
@@ -133,9 +139,13 @@ TEST(ViewModel, WrongSettingsAreRefusedAndChangeNothing) {
         {"tune", "filter_depth"}, {"tune", "filter_depth=1000"}, {"tune", "filter_dept=1"},
         {"light", "1.on=off"}, {"light", "0.cone=5"}, {"light", "0=5"}, {"light", "0.color=-1,0,0"},
         {"light", "0.radius=x"}, {"add-light", "polygon"}, {"add-light", "bulb"},
-        {"remove-light", "3"}, {"beside", "1"}, {"divider", "1.5"}};
+        {"remove-light", "3"}, {"beside", "1"}, {"divider", "1.5"},
+        {"wind", "101"}, {"depth", "0"}, {"spectrum", "tma"}, {"glints", "yes"}, {"cascades", "5"},
+        {"transparent", "1"}, {"sea", "yes"}, {"sea-time", "1e6"}, {"sea-speed", "-1"},
+        {"sea-pause", "0"}, {"sea-level", "nan"}};
     for (const auto& [name, value] : wrong) {
         ViewModel model = newModel();
+        model.choices().sea.isThere = true;
         const ViewChoices before = model.choicesFor({8, 8});
         EXPECT_THROW(model.set(name, value), tool::UsageError) << name << " " << value;
         EXPECT_TRUE(sameChoices(before, model.choicesFor({8, 8}))) << name << " " << value;

@@ -26,6 +26,7 @@ void drawPanels(ViewModel& model, float height) {
     drawFramePanel(model);
     drawPicturePanel(model);
     drawRealtimePanel(model);
+    drawSeaPanel(model);
     drawThingPanel(model);
     drawCameraPanel(model);
     drawLightPanel(model);

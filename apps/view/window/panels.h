@@ -13,6 +13,7 @@ void drawPanels(ViewModel& model, float height);
 // The parts, one below the other.
 void drawFramePanel(ViewModel& model);
 void drawRealtimePanel(ViewModel& model);
+void drawSeaPanel(ViewModel& model);
 void drawCameraPanel(ViewModel& model);
 void drawPicturePanel(ViewModel& model);
 void drawLightPanel(ViewModel& model);

@@ -83,7 +83,7 @@ private:
     }
 
     double secondsToWait() const {
-        if (m_isScripted || m_isMoving) {
+        if (m_isScripted || m_isMoving || m_model.seaMoves()) {
             return std::max(0.0, m_lastFrame + kFrameSeconds - now());
         }
         return kIdleSeconds;

@@ -15,7 +15,8 @@ constexpr std::pair<Key, int> kKeys[] = {
     {Key::wholeScene, GLFW_KEY_F},   {Key::startView, GLFW_KEY_R},
     {Key::nextCamera, GLFW_KEY_C},   {Key::level, GLFW_KEY_L},
     {Key::reference, GLFW_KEY_P},    {Key::panels, GLFW_KEY_TAB},
-    {Key::beside, GLFW_KEY_B},
+    {Key::beside, GLFW_KEY_B},       {Key::seaPause, GLFW_KEY_SPACE},
+    {Key::seaStep, GLFW_KEY_PERIOD},
     {Key::screenshot, GLFW_KEY_F12}, {Key::quit, GLFW_KEY_ESCAPE}};
 
 }  // namespace

@@ -1,0 +1,146 @@
+// `glitterpath view --ocean` with its window, on a display without a screen.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tool/tool_runner.h"
+#include "virtual_display.h"
+
+namespace gp::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class SeaWindow : public ::testing::Test {
+protected:
+    static void SetUpTestSuite() { s_display = std::make_unique<VirtualDisplay>(); }
+    static void TearDownTestSuite() { s_display.reset(); }
+
+    void SetUp() override {
+        if (!s_display->isThere()) {
+            GTEST_SKIP() << "Xvfb is not here (scripts/bootstrap installs it)";
+        }
+    }
+
+    ToolResult view(const std::string& script, const Words& more = {}) {
+        writeText(m_folder("script.txt"), script);
+        Words words = {"view", "--ocean", "--cascades", "1", "--resolution", "32", "--script",
+                       m_folder("script.txt"), "--size", "480x200", "--quiet", "--exposure", "-4"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ToolResult result = runTool(words);
+        m_hasWindow = result.err.find("this build has no window") == std::string::npos;
+        return result;
+    }
+    nlohmann::json seaOf(const std::string& name) const { return readJson(m_folder(name))["sea"]; }
+    std::string file(const std::string& name) const { return m_folder(name); }
+
+    TestFolder m_folder;
+    bool m_hasWindow = true;
+    static std::unique_ptr<VirtualDisplay> s_display;
+};
+
+std::unique_ptr<VirtualDisplay> SeaWindow::s_display;
+
+#define VIEW_OR_SKIP(result)                                                           \
+    if (!m_hasWindow) GTEST_SKIP() << "this build has no window";                      \
+    ASSERT_EQ((result).exitCode, 0) << (result).err
+
+TEST_F(SeaWindow, MovesUntilItIsPausedWithoutAFile) {
+    const ToolResult result = view("state " + file("0.json") + "\nwait 30\nstate " +
+                                       file("1.json") + "\npress Space\nrelease Space\nstate " +
+                                       file("2.json") + "\nwait 30\nstate " + file("3.json") +
+                                       "\npress .\nrelease .\nset sea-speed 2\nstate " +
+                                       file("4.json") + "\nlive 2\n",
+                                   {"--time", "10", "--wind", "7"});
+    VIEW_OR_SKIP(result);
+    const auto seconds = [this](const char* name) { return seaOf(name)["seconds"].get<double>(); };
+    EXPECT_NEAR(seconds("0.json"), 10, 0.05);
+    EXPECT_NEAR(seconds("1.json"), seconds("0.json") + 31.0 / 60, 2.0 / 60);
+    EXPECT_EQ(seconds("3.json"), seconds("2.json"));
+    EXPECT_EQ(seaOf("3.json")["paused"], true);
+    EXPECT_NEAR(seconds("4.json"), seconds("3.json") + 1.0 / 24, 1e-9);
+    EXPECT_EQ(seaOf("4.json")["speed"], 2);
+    EXPECT_EQ(seaOf("4.json")["wind"], 7);
+    EXPECT_EQ(seaOf("4.json")["depth"], "deep");
+}
+
+// A flight of the waves, and a picture at its end, with a file and without.
+TEST_F(SeaWindow, TheSameScriptIsTheSamePicture) {
+    for (const Words& scene : {Words{}, Words{cornellPath(), "--from", "0,2,7", "--sun", "0,30"}}) {
+        Words more = scene;
+        more.insert(more.end(), {"--live", "traced", "--spp", "2"});
+        const auto picture = [&](const std::string& name) {
+            const ToolResult result =
+                view("wait 20\nset sea-pause on\nsettle 2\npicture " + file(name) + "\n", more);
+            EXPECT_EQ(result.exitCode, 0) << result.err;
+            return exists(file(name)) ? readText(file(name)) : name;
+        };
+        const std::string first = picture("a.png");
+        if (!m_hasWindow) {
+            GTEST_SKIP() << "this build has no window";
+        }
+        EXPECT_EQ(picture("b.png"), first);
+        more.insert(more.end(), {"--time", "2"});
+        EXPECT_NE(picture("c.png"), first);
+    }
+}
+
+TEST_F(SeaWindow, AFileCanGetASeaAndLoseIt) {
+    writeText(file("s.txt"), "state " + file("0.json") + "\nset sea on\nset resolution 32\n" +
+                                 "set cascades 1\nset wind 3\nset sea-level -1\nlive 2\nstate " +
+                                 file("1.json") + "\nset sea off\nlive 2\nstate " +
+                                 file("2.json") + "\n");
+    const ToolResult result = runTool({"view", cornellPath(), "--quiet", "--size", "480x200",
+                                       "--script", file("s.txt")});
+    m_hasWindow = result.err.find("this build has no window") == std::string::npos;
+    VIEW_OR_SKIP(result);
+    EXPECT_TRUE(seaOf("0.json").is_null());
+    EXPECT_EQ(seaOf("1.json")["sea-level"], -1);
+    EXPECT_EQ(seaOf("1.json")["moves"], true);
+    EXPECT_TRUE(seaOf("2.json").is_null());
+}
+
+TEST_F(SeaWindow, WrongWordsOfScriptsAreOneLine) {
+    ToolResult result = view("wait 1\nset wind 200\n");
+    if (!m_hasWindow) {
+        GTEST_SKIP() << "this build has no window";
+    }
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.err.find("script.txt:2: wind: 200 is not in 0..100"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
+    result = view("set spectrum tma\n");
+    EXPECT_NE(result.err.find("script.txt:1: spectrum: tma needs depth"), std::string::npos)
+        << result.err;
+}
+
+// Without a display: the command line is looked at first.
+TEST(SeaOfView, WrongOptionsAreRefused) {
+    const struct {
+        Words words;
+        const char* message;
+    } rows[] = {
+        {{"--ocean", "--wind", "200"}, "--wind: 200 is not in 0..100"},
+        {{"--ocean", "--spectrum", "tma"}, "--spectrum: tma needs --depth"},
+        {{"--ocean", "--transparent", "yes"}, "--transparent"},
+        {{"--ocean", "--sea-speed", "-1"}, "--sea-speed"},
+        {{"--ocean", "--time", "1e6"}, "--time"},
+        {{"--ocean", "--camera", "0"}, "--camera: only with SCENE"},
+        {{"--ocean", "--sun", "3"}, "AZ,EL"},
+        {{"x.glb", "--wind", "5"}, "--wind: only with --ocean"},
+        {{"x.glb", "--sea-level", "1"}, "--sea-level: only with --ocean"},
+        {{"x.glb", "--ocean", "--pitch", "3"}, "--pitch: only with --ocean and without SCENE"},
+        {{}, "SCENE is required"},
+    };
+    for (const auto& row : rows) {
+        Words words = {"view"};
+        words.insert(words.end(), row.words.begin(), row.words.end());
+        const ToolResult result = runTool(words);
+        EXPECT_EQ(result.exitCode, 2) << row.message;
+        EXPECT_NE(result.err.find(row.message), std::string::npos) << result.err;
+        EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
+    }
+}
+
+}  // namespace
+}  // namespace gp::test
