@@ -263,6 +263,27 @@ TEST_F(MaterialSlopeMaps, ASurfaceIsBentWhichWayAndByAsMuchAsItsHeightsSay) {
     EXPECT_NEAR(dot(point(at, 1e-4f, wo).frame.n, expected), 1, 1e-5f);
 }
 
+TEST_F(MaterialSlopeMaps, FacetsTakeHeightsAsTheyTakeANormalMap) {
+    material->layers.push_back({std::make_shared<BsdfSettings>(findBsdfModel("glint")), 1, {}, 0});
+    const vec3 wo = normalize(vec3(0.2f, -0.1f, 1));
+    const vec2 at(0.21f, 0.4f);
+    for (const float width : {1e-3f, 0.1f, 2.0f}) {
+        const auto facets = [&] { return glint_material_slopes(point(at, width, wo).bsdf); };
+        material->normalTexture.texture = nullptr;
+        maps({});
+        const Slopes own = facets();
+        maps({use(SlopeMapKind::height, heightMap())});
+        const Slopes heights = facets();
+        material->normalTexture.texture = normalMap();
+        maps({});
+        const Slopes normals = facets();
+        expectSame(heights, normals, 0.02f);
+        maps({use(SlopeMapKind::height, heightMap())});
+        expectSame(slopes_added(facets(), own), slopes_added(heights, normals), 1e-3f);
+        EXPECT_GT(normals.var_x - own.var_x + length(normals.mean), 0.005f);
+    }
+}
+
 // From afar the surface is flat and rough: as Beckmann facets of the sum of both covariances.
 TEST_F(MaterialSlopeMaps, WhatIsBelowThePixelWidensHighlights) {
     BsdfSettings beckmann(findBsdfModel("beckmann_conductor"));
