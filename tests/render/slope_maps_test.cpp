@@ -124,7 +124,9 @@ TEST_P(SlopeMaps, NewPixelsAndNoMapsAreFlat) {
               1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(, SlopeMaps, ::testing::ValuesIn(bestFullVariant()),
+INSTANTIATE_TEST_SUITE_P(Reference, SlopeMaps, ::testing::ValuesIn(bestFullVariant()),
+                         [](const auto& i) { return variantName(i.param); });
+INSTANTIATE_TEST_SUITE_P(Local, SlopeMaps, ::testing::ValuesIn(localVariants()),
                          [](const auto& i) { return variantName(i.param); });
 
 }  // namespace
