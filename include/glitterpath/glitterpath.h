@@ -263,6 +263,29 @@ typedef struct GpTextureLayer {
     GpLayerBlend blend;    /* GP_LAYER_OPAQUE */
 } GpTextureLayer;
 
+/* What the picture of a slope map is of. */
+typedef enum GpSlopeMapKind {
+    GP_SLOPE_MAP_NORMAL = 0,      /* normals in tangent space, as normalTexture */
+    GP_SLOPE_MAP_HEIGHT = 1,      /* R: how far the surface stands out along its normal */
+    GP_SLOPE_MAP_DISPLACEMENT = 2 /* RGB: how far its points go along +u, against v (towards the
+                                     picture's upper edge) and along the normal */
+} GpSlopeMapKind;
+
+/* A map whose details may be smaller than a pixel: what a pixel covers of it has a mean slope, that
+ * bends the surface, and a spread of slopes, which widens highlights. Nothing is moved: silhouettes
+ * and shadows stay. Filters and noMipmaps of the texture do not count. 8 bits are coarse steps for
+ * heights: use 16-bit PNG or EXR files. */
+typedef struct GpSlopeMap {
+    GpTextureUse texture;  /* required; linear */
+    GpSlopeMapKind kind;   /* GP_SLOPE_MAP_NORMAL */
+    float scale;           /* any; 0 = 1. Of normals: multiplies their slopes. Else lengths in the
+                              mesh's own space (metres where instances do not scale it) that a value
+                              of 1 stands for; below 0 turns hills into dents */
+    float extent[2];       /* displacement: lengths, in the unit of scale, that the whole picture
+                              covers along u and v, above 0, which sideways motion is measured by;
+                              two zeros = (1, 1). Other kinds: zeros */
+} GpSlopeMap;
+
 /* glTF 2.0 metallic-roughness with the Khronos extensions; a texture multiplies its factor. All
  * factors are in 0..1 unless said otherwise. Or, where `bsdf` is set, any model of the library. */
 typedef struct GpMaterialDesc {
@@ -314,8 +337,8 @@ typedef struct GpMaterialDesc {
     GpTextureUse iridescenceThicknessTexture; /* G, from min to max */
     /* A model of the library instead (gpNewBsdf); NULL = glTF's as above. Then baseColor and its
      * texture multiply the model's base_color, if it has one; of the other fields only normal map,
-     * emission, alpha, doubleSided, unlit, attenuation and anisotropyRotation (which turns the
-     * tangent) count, and setting another is GP_ERROR_INVALID_ARGUMENT. Handles may be released
+     * slope maps, emission, alpha, doubleSided, unlit, attenuation and anisotropyRotation (it turns
+     * the tangent) count, and setting another is GP_ERROR_INVALID_ARGUMENT. Handles may be released
      * after the call. */
     GpBsdf bsdf;
     const GpMaterialLayer* layers; /* blended over bsdf, in this order: parameters, not results */
@@ -326,6 +349,15 @@ typedef struct GpMaterialDesc {
      * colours of vertices and of the instance. Alpha stays that of the base. */
     const GpTextureLayer* textureLayers;
     uint32_t textureLayerCount;    /* at most 2 */
+    /* One over the other and over normalTexture: their slopes add up. How steep heights are is said
+     * by each triangle's texture coordinates. Every model is bent by their mean; their spread goes
+     * into the highlights of glTF's material without `bsdf` and of the models glint, ggx_conductor,
+     * ggx_dielectric and beckmann_conductor. The model glint takes normalTexture as one of them,
+     * all others bend it as it is. Coats stay smooth. GP_ERROR_UNSUPPORTED for heights or
+     * displacements whose texture is GP_WRAP_MIRROR. Cost: memory of 21 bytes a texel for each
+     * texture and kind (and lengths, of displacements), made at the next gpRender. */
+    const GpSlopeMap* slopeMaps;
+    uint32_t slopeMapCount;        /* at most 4 */
 } GpMaterialDesc;
 
 /* desc may be NULL: white and diffuse with a dielectric sheen of its index. */

@@ -70,6 +70,14 @@ Json jsonOf(const MaterialLayer& layer, Numbering<Texture>& textures) {
     return j;
 }
 
+Json jsonOf(const SlopeMapUse& map) {
+    constexpr const char* kinds[] = {"normal", "height", "displacement"};
+    Json j = {{"kind", kinds[size_t(map.kind)]}, {"scale", map.scale}};
+    if (map.kind == SlopeMapKind::displacement)
+        j["extent"] = Json::array({map.extent.x, map.extent.y});
+    return j;
+}
+
 Json jsonOf(const Material& m, Numbering<Texture>& textures) {
     if (!m.frames.empty()) {  // an animated one: what shows, and which of how many that is
         Json j = jsonOf(m.shown(), textures);
@@ -88,6 +96,7 @@ Json jsonOf(const Material& m, Numbering<Texture>& textures) {
     for (const TextureLayer& layer : m.textureLayers)
         j["textureLayers"].push_back(
             {{"color", jsonOf(layer.color)}, {"blend", nameOf(layer.blend)}});
+    for (const SlopeMapUse& map : m.slopeMaps) j["slopeMaps"].push_back(jsonOf(map));
     if (m.alphaMode == AlphaMode::mask) j["alphaCutoff"] = m.alphaCutoff;
     if (m.doubleSided) j["doubleSided"] = true;
     if (m.unlit) j["unlit"] = true;

@@ -30,6 +30,8 @@ void forEachTexture(const Material& m, F&& visit) {
     constexpr const char* layerNames[] = {"layer1", "layer2"};
     for (size_t i = 0; i < m.textureLayers.size(); ++i)
         visit(layerNames[i], m.textureLayers[i].texture);
+    constexpr const char* slopeNames[] = {"slopes1", "slopes2", "slopes3", "slopes4"};
+    for (size_t i = 0; i < m.slopeMaps.size(); ++i) visit(slopeNames[i], m.slopeMaps[i].texture);
 }
 
 }  // namespace gp::api

@@ -8,6 +8,11 @@ namespace {
 
 constexpr uint32_t layerLimit = 16;
 constexpr uint32_t textureLayerLimit = 2;
+constexpr uint32_t slopeMapLimit = 4;
+
+static_assert(GP_SLOPE_MAP_NORMAL == int(SlopeMapKind::normal) &&
+              GP_SLOPE_MAP_HEIGHT == int(SlopeMapKind::height) &&
+              GP_SLOPE_MAP_DISPLACEMENT == int(SlopeMapKind::displacement));
 
 static_assert(GP_LAYER_ALPHA == int(LayerBlend::alpha) && GP_LAYER_ADD == int(LayerBlend::add) &&
               GP_LAYER_SHADE == int(LayerBlend::shade));
@@ -30,6 +35,7 @@ public:
         readDirectional();
         readLayers();
         readTextureLayers();
+        readSlopeMaps();
         readCompanions();
         return std::move(material_);
     }
@@ -169,6 +175,39 @@ private:
             layer.blend = LayerBlend(checkEnum(source.blend, 4, (field + ".blend").c_str()));
             material_.textureLayers.push_back(std::move(layer));
         }
+    }
+
+    void readSlopeMaps() {
+        const GpMaterialDesc& d = desc_;
+        if (d.slopeMapCount > slopeMapLimit)
+            fail(GP_ERROR_TOO_LARGE, "slopeMapCount is {}, more than {}", d.slopeMapCount,
+                 slopeMapLimit);
+        if (d.slopeMapCount > 0) checkPointer(d.slopeMaps, "slopeMaps");
+        for (uint32_t i = 0; i < d.slopeMapCount; ++i)
+            material_.slopeMaps.push_back(
+                slopeMap(d.slopeMaps[i], fmt::format("slopeMaps[{}]", i)));
+    }
+
+    SlopeMapUse slopeMap(const GpSlopeMap& source, const std::string& field) {
+        SlopeMapUse map;
+        resolve(device_, source.texture.texture, field + ".texture.texture");
+        texture(map.texture, source.texture, (field + ".texture").c_str());
+        map.kind = SlopeMapKind(checkEnum(source.kind, 3, (field + ".kind").c_str()));
+        checkFinite(source.scale, (field + ".scale").c_str());
+        if (source.scale != 0) map.scale = source.scale;
+        checkFinite(source.extent, 2, field + ".extent");
+        if (!allZero(source.extent, 2)) {
+            if (map.kind != SlopeMapKind::displacement)
+                fail(GP_ERROR_INVALID_ARGUMENT,
+                     "{}.extent counts for displacement maps only: it must be zero", field);
+            if (!(source.extent[0] > 0 && source.extent[1] > 0))
+                fail(GP_ERROR_OUT_OF_RANGE, "{}.extent is ({:g}, {:g}), but must be above 0", field,
+                     source.extent[0], source.extent[1]);
+            map.extent = {source.extent[0], source.extent[1]};
+        }
+        if (const char* why = whyNotSlopes(map); why)
+            fail(GP_ERROR_UNSUPPORTED, "{}.texture {}", field, why);
+        return map;
     }
 
     // A map of gpSetTextureOverrides, where the descriptor has none of its own.

@@ -135,6 +135,7 @@ Materials::Entry Materials::read(const Value& value) {
     readCoats(value, m);
     readInside(value, m);
     readGlints(value, m);
+    readSlopeMaps(value, m);
     const auto coat = value.extension("KHR_materials_clearcoat");
     const auto aniso = value.extension("KHR_materials_anisotropy");
     const bool byNormal = value.has("normalTexture");
@@ -146,6 +147,13 @@ Materials::Entry Materials::read(const Value& value) {
                                          : m.coatNormalTexture;
     e.options.tangentUv = leader.texCoord;
     e.options.uvTransform = leader.uvTransform;
+    if (e.options.needsTangents) return e;
+    // Slope maps turn with their transforms by themselves; heights ask for no tangents.
+    for (const SlopeMapUse& map : m.slopeMaps)
+        if (map.kind == SlopeMapKind::normal) {
+            e.options.needsTangents = true, e.options.tangentUv = map.texture.texCoord;
+            break;
+        }
     return e;
 }
 

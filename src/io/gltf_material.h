@@ -39,6 +39,8 @@ private:
     void readCoats(const Value& value, Material& m);
     void readInside(const Value& value, Material& m);
     void readGlints(const Value& value, Material& m);  // gltf_glints.cpp
+    void readSlopeMaps(const Value& value, Material& m);  // gltf_slope_maps.cpp
+    void checkSlopeMaps() const;                          // when their textures are there
     bool use(const Value& value, const char* key, ColorSpace space, TextureUse& target);
     void decodeImages(const std::vector<uint32_t>& images, std::vector<Image>& decoded);
     TextureDesc describe(const Key& key) const;

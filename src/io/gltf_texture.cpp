@@ -110,6 +110,7 @@ void Materials::loadTextures() {
         const std::shared_ptr<const Texture> texture = makeTexture(std::move(jobs[i].desc));
         for (TextureUse* user : *jobs[i].users) user->texture = texture;
     });
+    checkSlopeMaps();
 }
 
 }  // namespace gp::io

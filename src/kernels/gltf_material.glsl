@@ -1,7 +1,7 @@
 // The glTF material at one point: textures read, everything multiplied out.
 #ifndef GP_KERNELS_GLTF_MATERIAL_GLSL
 #define GP_KERNELS_GLTF_MATERIAL_GLSL
-#include "kernels/shading_point.glsl"
+#include "kernels/material_slopes.glsl"
 
 float alpha_from_roughness(float roughness) {
     return max(roughness * roughness, BSDF_MIN_ALPHA);
@@ -105,6 +105,13 @@ ShadingPoint gltf_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base,
             s.frame, read_normal(m.coat_normal_slot, s, m.coat_normal_scale, u_lod));
     }
     if (m.anisotropy > 0.0f) { p = apply_anisotropy(p, m, s, u_lod); }
+    if (has_slope_maps(m)) {
+        SlopedShape shape =
+            sloped_shape(m, s, wo, p.frame, p.bsdf.alpha_x, p.bsdf.alpha_y);
+        p.frame = shape.frame;
+        p.bsdf.alpha_x = shape.alpha_x;
+        p.bsdf.alpha_y = shape.alpha_y;
+    }
     bool solid = (m.flags & (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE)) ==
                  (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE);
     p.frame = face_viewer(s, p.frame, wo, solid);

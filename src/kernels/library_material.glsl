@@ -1,11 +1,8 @@
 // Materials made of the library's models: a stack of parameters, bottom first, blended by weights
-// and masks. Resources: load_bsdf, load_bsdf_layer, and those of shading_point.glsl and
-// pixel_turn.glsl.
+// and masks. Resources: load_bsdf, load_bsdf_layer, and those of material_slopes.glsl.
 #ifndef GP_KERNELS_LIBRARY_MATERIAL_GLSL
 #define GP_KERNELS_LIBRARY_MATERIAL_GLSL
-#include "kernels/pixel_turn.glsl"
-#include "kernels/shading_point.glsl"
-#include "kernels/slope_map.glsl"
+#include "kernels/material_slopes.glsl"
 #include "shading/bsdf/blend.glsl"
 #include "shading/bsdf/bsdf.glsl"
 #include "shading/slope/mean_slope.glsl"
@@ -27,25 +24,9 @@ BsdfParams library_params(IN(MaterialRecord) m, IN(Surface) s, vec3 base, float 
     return b;
 }
 
-// The change of texture coordinates (0 or 1) where the hit moves by these barycentrics.
-vec2 coordinate_change(IN(Surface) s, uint tex_coord, vec2 corners) {
-    uint geometry = load_instance(s.hit.instance).geometry;
-    if (tex_coord == 0u) {
-        TriangleCorners c = load_triangle(geometry, s.hit.primitive);
-        return (c.uv1 - c.uv0) * corners.x + (c.uv2 - c.uv0) * corners.y;
-    }
-    vec2 first = load_uv1(geometry, s.hit.primitive, 0.0f, 0.0f);
-    return (load_uv1(geometry, s.hit.primitive, 1.0f, 0.0f) - first) * corners.x
-         + (load_uv1(geometry, s.hit.primitive, 0.0f, 1.0f) - first) * corners.y;
-}
-
-// What the normal map holds within the footprint, in the frame that the material is evaluated in.
+// What the maps hold within the footprint, in the frame that the material is evaluated in.
 Slopes mapped_slopes(IN(MaterialRecord) m, IN(Surface) s, IN(PixelTurns) t, bool from_back) {
-    vec2 d0 = coordinate_change(s, m.normal_slot.tex_coord, t.a.corners);
-    vec2 d1 = coordinate_change(s, m.normal_slot.tex_coord, t.b.corners);
-    Slopes d = read_slope_map(m.normal_slot.slope_map, slot_position(m.normal_slot, s),
-                              slot_change(m.normal_slot, d0), slot_change(m.normal_slot, d1));
-    d = slopes_scaled(d, vec2(m.normal_scale));
+    Slopes d = material_slopes(m, s, t);
     if (m.anisotropy_rotation != 0.0f) {
         d = slopes_turned(d, cos(m.anisotropy_rotation), sin(m.anisotropy_rotation));
     }
@@ -61,13 +42,9 @@ vec2 glint_kernel_axis(IN(PixelTurn) t, IN(Frame) f, vec3 wo, float inv_viewer) 
     return vec2(-change.x, -change.y);
 }
 
-// Whether a normal map is read as slopes: the surface stays in the frame of its geometry then.
-bool has_slope_map(IN(MaterialRecord) m) {
-    return (m.textures & SLOT_NORMAL) != 0u && m.normal_slot.slope_map != NO_INDEX;
-}
-
 // What the pixel sees of the facets: where in the texture coordinates, how much of them, how the
-// half vector changes from one of its edges to the other; and what the normal map has there.
+// half vector changes from one of its edges to the other; and what the slope maps, of which the
+// normal map is one, have there.
 BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN(Frame) frame,
                            vec3 wo) {
     PixelTurns t = pixel_turns(s.hit, -wo, s.cone);
@@ -83,7 +60,7 @@ BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN
     b.slot_c.y = s.uv0.y;
     b.slot_d = vec4(d0, d1);
     b.slot_e = vec4(k0, k1);
-    if (has_slope_map(m)) {
+    if (has_slope_maps(m)) {
         bool from_back = s.front == 0u && (m.flags & MATERIAL_SOLID) == 0u;
         b = glint_with_slopes(
             b, slopes_added(glint_material_slopes(b), mapped_slopes(m, s, t, from_back)));
@@ -106,10 +83,18 @@ OUT_OF_LINE ShadingPoint library_point(IN(MaterialRecord) m, IN(Surface) s, vec3
     p.emission = emission;
     p.attenuation = m.attenuation;
     p.flags = m.flags;
-    p.frame = has_slope_map(m) ? s.frame : mapped_frame(m, s, u_lod);
+    p.frame = mapped_frame(m, s, u_lod);
     if (m.anisotropy_rotation != 0.0f) {
         p.frame = turned_frame(
             p.frame, vec2(cos(m.anisotropy_rotation), sin(m.anisotropy_rotation)));
+    }
+    // Facets are told their slopes over the surface as it is; all other models are bent.
+    if (has_slope_maps(m) && (m.flags & MATERIAL_GLINT) == 0u) {
+        SlopedShape shape =
+            sloped_shape(m, s, wo, p.frame, p.bsdf.alpha_x, p.bsdf.alpha_y);
+        p.frame = shape.frame;
+        p.bsdf.alpha_x = shape.alpha_x;
+        p.bsdf.alpha_y = shape.alpha_y;
     }
     p.frame = face_viewer(s, p.frame, wo, (m.flags & MATERIAL_SOLID) != 0u);
     if ((m.flags & MATERIAL_GLINT) != 0u) {

@@ -79,16 +79,18 @@ LocalLight light_of(IN(LocalPoint) at) {
     return sum;
 }
 
-// A material as this mode shows it. Bumps of a normal map are between the corners of triangles,
-// and whatever model replaces a solid body's is lit on the side that the viewer sees.
+// A material as this mode shows it. Bumps of a map are between the corners of triangles, and
+// whatever model replaces a solid body's is lit on the side that the viewer sees, along tangents
+// that no roughness of the material turns.
 MaterialRecord local_material(IN(MaterialRecord) m) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
     MaterialRecord shown = m;
     if (local.frequency != FREQUENCY_PIXEL) {
-        shown.textures &= ~(SLOT_NORMAL | SLOT_COAT_NORMAL);
+        shown.textures &= ~(SLOT_NORMAL | SLOT_COAT_NORMAL | SLOT_SLOPES);
     }
     if (local.replaces_materials != 0u) {
         shown.flags &= ~(MATERIAL_SOLID | MATERIAL_TRANSMISSIVE | MATERIAL_SEA);
+        shown.flags |= MATERIAL_ONLY_BENT;
     }
     return shown;
 }

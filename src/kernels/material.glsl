@@ -9,10 +9,11 @@
 // SURFACE_ bits of what load_shading_point will use.
 uint surface_needs(IN(MaterialRecord) m, bool diffuse) {
     bool uv = m.textures != 0u || (m.flags & MATERIAL_NEEDS_UV) != 0u;
-    bool mapped = (m.textures & (SLOT_NORMAL | SLOT_COAT_NORMAL)) != 0u || m.anisotropy > 0.0f;
-    bool glints = (m.flags & MATERIAL_GLINT) != 0u && !diffuse;
+    bool mapped = (m.textures & (SLOT_NORMAL | SLOT_COAT_NORMAL | SLOT_SLOPES)) != 0u ||
+                  m.anisotropy > 0.0f;
+    bool footprint = ((m.flags & MATERIAL_GLINT) != 0u || has_slope_maps(m)) && !diffuse;
     return (uv ? SURFACE_UV : 0u) | (mapped && !diffuse ? SURFACE_UV | SURFACE_TANGENT : 0u) |
-           (glints ? SURFACE_UV | SURFACE_FOOTPRINT : 0u);
+           (footprint ? SURFACE_UV | SURFACE_FOOTPRINT : 0u);
 }
 
 ShadingPoint load_shading_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, float u_lod,

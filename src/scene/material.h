@@ -40,6 +40,27 @@ struct TextureLayer {
     LayerBlend blend = LayerBlend::opaque;
 };
 
+// What the picture of a slope map is of.
+enum class SlopeMapKind : uint8_t { normal, height, displacement };
+
+// A map of slopes below a pixel: what is within a footprint bends and widens the reflection.
+struct SlopeMapUse {
+    TextureUse texture;                // linear
+    SlopeMapKind kind = SlopeMapKind::normal;
+    float scale = 1;                   // of slopes; else metres of the mesh a unit of the picture
+    glm::vec2 extent{1};               // displacement: metres that the whole picture covers
+};
+
+// Null where the renderer can read such a map, else what is in its way.
+inline const char* whyNotSlopes(const SlopeMapUse& use) {
+    const Texture& t = *use.texture.texture;
+    // Slopes of mirror images change their sign, which no reader of a map does.
+    const bool mirrored = t.wrapU == Wrap::mirroredRepeat || t.wrapV == Wrap::mirroredRepeat;
+    return mirrored && use.kind != SlopeMapKind::normal
+               ? "is repeated in mirror images, which heights and displacements cannot be"
+               : nullptr;
+}
+
 struct Material {
     std::string name;
 
@@ -94,9 +115,11 @@ struct Material {
     float iridescenceThicknessMaxNm = 400;
     TextureUse iridescenceThicknessTexture;  // g
 
+    std::vector<SlopeMapUse> slopeMaps;  // added to the normal map and to each other, at most 4
+
     // Not empty: what the surface reflects is this stack, bottom first, all of one model; of the
-    // fields above only base colour (a factor of the model's own), normal map, emission, alpha,
-    // attenuation and the anisotropy's rotation (of the tangent) count.
+    // fields above only base colour (a factor of the model's own), normal map, slope maps,
+    // emission, alpha, attenuation and the anisotropy's rotation (of the tangent) count.
     std::vector<MaterialLayer> layers;
 
     SeaWater sea = SeaWater::none;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <tbb/parallel_for.h>
@@ -168,7 +169,47 @@ SlopeMap slopeMapFromDisplacement(const DisplacementGrid& grid) {
         for (uint32_t x = 0; x < grid.width; ++x)
             level.texels[size_t(y) * grid.width + x] = surface.texel(int(x), int(y));
     });
-    return chainOf(std::move(level), grid.wrapU, grid.wrapV);
+    SlopeMap map = chainOf(std::move(level), grid.wrapU, grid.wrapV);
+    map.rise = grid.extent;
+    return map;
+}
+
+static DisplacementGrid gridOf(const Texture& image, glm::vec2 extent) {
+    DisplacementGrid grid;
+    grid.width = image.levels[0].width, grid.height = image.levels[0].height;
+    grid.extent = extent;
+    grid.wrapU = image.wrapU, grid.wrapV = image.wrapV;
+    return grid;
+}
+
+SlopeMap slopeMapFromHeights(const Texture& heights) {
+    const MipLevel& image = heights.levels[0];
+    const TexelDecoder decoder(heights);
+    float lowest = std::numeric_limits<float>::max(), highest = -lowest;
+    for (size_t i = 0; i < size_t(image.width) * image.height; ++i) {
+        const float h = decoder.at(image, i).x;
+        if (std::isfinite(h)) lowest = std::min(lowest, h), highest = std::max(highest, h);
+    }
+    const float range = highest - lowest;
+    const float unit = range > 0 && std::isfinite(range) ? range : 1.0f;
+    // In texels, and heights of one unit.
+    DisplacementGrid grid = gridOf(heights, glm::vec2(image.width, image.height));
+    grid.offset = [&](uint32_t x, uint32_t y) {
+        const float h = decoder.at(image, size_t(y) * image.width + x).x;
+        return glm::vec3(0, 0, (h - lowest) / unit);
+    };
+    SlopeMap map = slopeMapFromDisplacement(grid);
+    map.rise *= unit;
+    return map;
+}
+
+SlopeMap slopeMapFromOffsets(const Texture& offsets, float scale, glm::vec2 extent) {
+    const TexelDecoder decoder(offsets);
+    DisplacementGrid grid = gridOf(offsets, extent);
+    grid.offset = [&](uint32_t x, uint32_t y) {
+        return decoder.at(offsets.levels[0], size_t(y) * grid.width + x) * scale;
+    };
+    return slopeMapFromDisplacement(grid);
 }
 
 }  // namespace gp

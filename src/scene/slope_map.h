@@ -22,6 +22,10 @@ struct PackedSlopes {
 };
 
 struct SlopeMap {
+    // What a slope of 1 rises by from one edge of the image to the other, along u and v: the slopes
+    // of a height map are those of its picture until a surface says how large that is. Zeros: they
+    // are slopes of the surface itself, as a normal map's are.
+    glm::vec2 rise{0};
     Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
     std::vector<MipLevel> levels;      // offsets in texels; down to 1x1
     LargeVector<PackedSlopes> texels;  // all levels, level 0 first
@@ -47,5 +51,13 @@ struct DisplacementGrid {
 // extent that is not above zero, and mirrored wraps (slopes of mirror images change their sign,
 // which no reader of a map does).
 SlopeMap slopeMapFromDisplacement(const DisplacementGrid& grid);
+
+// From the red channel of an image: heights of any unit, which is that of `rise`. Stored so that no
+// slope is above 1, hence none is cut. Throws as slopeMapFromDisplacement does.
+SlopeMap slopeMapFromHeights(const Texture& heights);
+
+// From an image whose red, green and blue channels say how far a point goes along +u, against v and
+// up, times `scale`; extent: of the whole image, in the unit of those lengths. Throws likewise.
+SlopeMap slopeMapFromOffsets(const Texture& offsets, float scale, glm::vec2 extent);
 
 }  // namespace gp

@@ -35,6 +35,8 @@ struct Hit {
 #define MATERIAL_PREPARE 4096u   // … whose parameters are prepared at each point: they vary
 #define MATERIAL_GLINT 8192u     // … which is MODEL_GLINT: it is told the pixel's footprint
 
+#define MATERIAL_ONLY_BENT 16384u  // slope maps make nothing rough, so that tangents stay
+
 // Light from behind the triangle counts: it shines through, or on slopes that the triangle lacks.
 #define MATERIAL_LIT_FROM_BELOW (MATERIAL_TRANSMISSIVE | MATERIAL_SEA)
 
@@ -54,6 +56,7 @@ struct Hit {
 #define SLOT_ANISOTROPY 4096u
 #define SLOT_IRIDESCENCE 8192u
 #define SLOT_IRIDESCENCE_THICKNESS 16384u
+#define SLOT_SLOPES 65536u       // not a slot: MaterialSlopes from first_slopes on
 #define SLOT_LAYERS 32768u       // not a slot: TextureLayerRecords from first_texture_layer on
 
 // An image of slope moments (kernels/slope_map.glsl).
@@ -69,7 +72,7 @@ struct TextureSlot {
     vec4 row_v;
     uint texture_index;
     uint tex_coord;  // 0 or 1
-    uint slope_map;  // of a normal map that is read as slopes: for load_slope_map; else NO_INDEX
+    uint pad0;
     uint pad1;
 };
 
@@ -104,6 +107,10 @@ struct MaterialRecord {
     uint first_layer;      // … and what is blended over them: BsdfLayerRecord
     uint layer_count;
     uint first_texture_layer;  // SLOT_LAYERS
+    uint first_slopes;     // SLOT_SLOPES
+    uint pad0;
+    uint pad1;
+    uint pad2;
     TextureSlot base_color_slot;
     TextureSlot metallic_roughness_slot;
     TextureSlot normal_slot;
@@ -147,6 +154,17 @@ struct TextureLayerRecord {
     uint is_last;
     uint pad0;
     uint pad1;
+};
+
+// A map of slopes (kernels/material_slopes.glsl); those of a material stand together.
+struct MaterialSlopes {
+    TextureSlot slot;  // where it is read; its texture_index is not one
+    vec2 to_x;         // the slope along the tangent is to_x.x and to_x.y times those of the map,
+    vec2 to_y;         // that along the bitangent likewise
+    vec2 rise;         // not 0: gp::SlopeMap::rise in metres of the mesh, whose triangle then says
+                       // what the slopes are, and to_x and to_y are not read
+    uint slope_map;    // for load_slope_map
+    uint is_last;
 };
 
 // An instance: rows of its matrices, and what its triangles look like.

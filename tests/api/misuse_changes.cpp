@@ -80,6 +80,65 @@ void addTextureLayerRows(Rows& rows) {
                     }});
 }
 
+void addSlopeMap(Rows& rows, const char* what, GpError expected, const char* message,
+                 void (*change)(World&, GpSlopeMap&)) {
+    rows.push_back({"gpNewMaterial", what, expected, message, [change](World& w) {
+                        GpSlopeMap maps[2] = {};
+                        maps[0].texture.texture = maps[1].texture.texture = w.texture;
+                        change(w, maps[1]);
+                        GpMaterialDesc desc{};
+                        desc.slopeMaps = maps, desc.slopeMapCount = 2;
+                        return made(gpNewMaterial(w.device, &desc));
+                    }});
+}
+
+void addSlopeMapRows(Rows& rows) {
+    addSlopeMap(rows, "a slope map without a texture", GP_ERROR_INVALID_HANDLE,
+                "slopeMaps[1].texture.texture is NULL",
+                [](World&, GpSlopeMap& m) { m.texture.texture = nullptr; });
+    addSlopeMap(rows, "a slope map that was released", GP_ERROR_INVALID_HANDLE,
+                "slopeMaps[1].texture.texture was released",
+                [](World& w, GpSlopeMap& m) { m.texture.texture = w.released.texture; });
+    addSlopeMap(rows, "a third set of slope coordinates", GP_ERROR_OUT_OF_RANGE,
+                "slopeMaps[1].texture.texCoord is 2",
+                [](World&, GpSlopeMap& m) { m.texture.texCoord = 2; });
+    addSlopeMap(rows, "an unknown kind of slope map", GP_ERROR_INVALID_ARGUMENT,
+                "slopeMaps[1].kind is 3",
+                [](World&, GpSlopeMap& m) { m.kind = anyEnum<GpSlopeMapKind>(3); });
+    addSlopeMap(rows, "a slope map's scale that is NaN", GP_ERROR_NOT_FINITE,
+                "slopeMaps[1].scale is nan", [](World&, GpSlopeMap& m) { m.scale = nan; });
+    addSlopeMap(rows, "a slope map's extent that is NaN", GP_ERROR_NOT_FINITE,
+                "slopeMaps[1].extent[1] is nan", [](World&, GpSlopeMap& m) { m.extent[1] = nan; });
+    addSlopeMap(rows, "an extent of heights", GP_ERROR_INVALID_ARGUMENT,
+                "slopeMaps[1].extent counts for displacement maps only", [](World&, GpSlopeMap& m) {
+                    m.kind = GP_SLOPE_MAP_HEIGHT, m.extent[0] = m.extent[1] = 1;
+                });
+    addSlopeMap(rows, "an extent of nothing", GP_ERROR_OUT_OF_RANGE,
+                "slopeMaps[1].extent is (1, 0), but must be above 0", [](World&, GpSlopeMap& m) {
+                    m.kind = GP_SLOPE_MAP_DISPLACEMENT, m.extent[0] = 1;
+                });
+    addSlopeMap(rows, "mirrored heights", GP_ERROR_UNSUPPORTED,
+                "slopeMaps[1].texture is repeated in mirror images", [](World& w, GpSlopeMap& m) {
+                    const uint8_t pixel[4] = {};
+                    GpTextureDesc d{};
+                    d.width = d.height = 1, d.pixels = pixel, d.wrapV = GP_WRAP_MIRROR;
+                    m.texture.texture = gpNewTexture(w.device, &d);
+                    m.kind = GP_SLOPE_MAP_HEIGHT;
+                });
+    rows.push_back({"gpNewMaterial", "slope maps NULL", GP_ERROR_INVALID_ARGUMENT,
+                    "slopeMaps is NULL", [](World& w) {
+                        GpMaterialDesc desc{};
+                        desc.slopeMapCount = 1;
+                        return made(gpNewMaterial(w.device, &desc));
+                    }});
+    rows.push_back({"gpNewMaterial", "a fifth slope map", GP_ERROR_TOO_LARGE, "slopeMapCount is 5",
+                    [](World& w) {
+                        GpMaterialDesc desc{};
+                        desc.slopeMapCount = 5;
+                        return made(gpNewMaterial(w.device, &desc));
+                    }});
+}
+
 void addTexCoordRows(Rows& rows) {
     const Rows more = {
         {"gpUpdateTexCoords", "a third set", GP_ERROR_OUT_OF_RANGE, "set is 2",
@@ -194,6 +253,7 @@ Rows changeRows() {
     Rows rows;
     addAnimatedRows(rows);
     addTextureLayerRows(rows);
+    addSlopeMapRows(rows);
     addTexCoordRows(rows);
     addInstanceRows(rows);
     addPolygonRows(rows);

@@ -95,6 +95,61 @@ TEST(GltfMaterial, GlintsThatAreWrong) {
     EXPECT_NE(error({{"density", "many"}}).find(at + ".density: "), std::string::npos);
 }
 
+static nlohmann::json withSlopeMaps(const nlohmann::json& maps) {
+    return {{"extras", {{"glitterpath", {{"slopeMaps", maps}}}}}};
+}
+
+TEST(GltfMaterial, SlopeMaps) {
+    const nlohmann::json first = {{"index", 0}};
+    nlohmann::json repeated = {{"index", 1}};
+    repeated["extensions"]["KHR_texture_transform"]["scale"] = {8, 4};
+    const Material m = loaded(withSlopeMaps(nlohmann::json::array(
+        {{{"kind", "height"}, {"texture", first}, {"scale", -0.02}},
+         {{"kind", "displacement"}, {"texture", first}, {"extent", {2, 3}}},
+         {{"kind", "normal"}, {"texture", repeated}}})));
+    ASSERT_EQ(m.slopeMaps.size(), 3u);
+    EXPECT_EQ(m.slopeMaps[0].kind, SlopeMapKind::height);
+    EXPECT_EQ(m.slopeMaps[0].scale, -0.02f);
+    EXPECT_EQ(m.slopeMaps[0].texture.texture->colorSpace, ColorSpace::linear);
+    EXPECT_EQ(m.slopeMaps[0].texture.texture->levels[0].width, 5u);
+    EXPECT_EQ(m.slopeMaps[1].kind, SlopeMapKind::displacement);
+    EXPECT_EQ(m.slopeMaps[1].extent, glm::vec2(2, 3));
+    EXPECT_EQ(m.slopeMaps[2].kind, SlopeMapKind::normal);
+    EXPECT_EQ(m.slopeMaps[2].texture.uvTransform[0][0], 8);
+    EXPECT_EQ(m.slopeMaps[2].texture.uvTransform[1][1], 4);
+}
+
+TEST(GltfMaterial, SlopeMapsThatAreWrong) {
+    const auto errorOfAll = [](const nlohmann::json& maps) {
+        return errorOf(withMaterial(withSlopeMaps(maps)).gltf());
+    };
+    const auto error = [&](const nlohmann::json& map) {
+        return errorOfAll(nlohmann::json::array({map}));
+    };
+    const std::string all = "materials[0].extras.glitterpath.slopeMaps", at = all + "[0]";
+    const nlohmann::json good = {{"kind", "height"}, {"texture", {{"index", 0}}}};
+    const auto changed = [&](const char* key, const nlohmann::json& value) {
+        nlohmann::json map = good;
+        map[key] = value;
+        return error(map);
+    };
+    EXPECT_EQ(changed("kind", "bump"), at + ".kind: must be one of normal, height, displacement");
+    EXPECT_EQ(error({{"texture", {{"index", 0}}}}), at + ": 'kind' is missing");
+    EXPECT_EQ(error({{"kind", "height"}}), at + ": 'texture' is missing");
+    EXPECT_EQ(changed("heightScale", 1),
+              at + ": 'heightScale' is none of kind, texture, scale, extent");
+    EXPECT_EQ(changed("scale", 0), at + ".scale: must not be 0");
+    EXPECT_EQ(changed("extent", {1, 1}), at + ".extent: counts for displacement maps only");
+    nlohmann::json flat = good;
+    flat["kind"] = "displacement", flat["extent"] = {1, 0};
+    EXPECT_EQ(error(flat), at + ".extent: must be above 0");
+    EXPECT_EQ(changed("texture", {{"index", 1}}),
+              "materials[0]: extras.glitterpath.slopeMaps: the texture of map 0 is repeated in "
+              "mirror images, which heights and displacements cannot be");
+    EXPECT_EQ(errorOfAll(nlohmann::json::array({1, 2, 3, 4, 5})), all + ": has more than 4 maps");
+    EXPECT_EQ(errorOfAll(3), all + ": must be an array");
+}
+
 TEST(GltfMaterial, Core) {
     const Material m =
         loaded({{"name", "paint"},

@@ -33,6 +33,9 @@ layout(binding = 16) uniform sampler2D background_image;
 layout(std430, binding = 17) readonly buffer SkyBuffer { uint sky_triangles; };
 layout(std430, binding = 18) readonly buffer SlopeMapBuffer { SlopeMapSize slope_maps[]; };
 layout(std430, binding = 19) readonly buffer SlopeBuffer { SlopeTexel slope_texels[]; };
+layout(std430, binding = 26) readonly buffer MaterialSlopesBuffer {
+    MaterialSlopes material_slope_records[];
+};
 layout(std430, binding = 20) readonly buffer SeaBuffer { SeaSlopes sea_texels[]; };
 
 FrameConstants load_frame() { return frame_constants; }
@@ -43,6 +46,7 @@ MaterialRecord load_material(uint i) { return materials[i]; }
 BsdfParams load_bsdf(uint i) { return bsdfs[i]; }
 BsdfLayerRecord load_bsdf_layer(uint i) { return bsdf_layers[i]; }
 TextureLayerRecord load_texture_layer(uint i) { return texture_layers[i]; }
+MaterialSlopes load_material_slopes(uint i) { return material_slope_records[i]; }
 LightRecord load_light(uint i) { return lights[i]; }
 LightTreeNode load_light_node(uint i) { return light_tree[i]; }
 TriangleCorners load_triangle(uint geometry, uint primitive) {

@@ -21,6 +21,7 @@ TriangleCorners theTriangle;
 BsdfParams theBsdf;
 BsdfLayerRecord noLayer;
 TextureLayerRecord noTextureLayer;
+MaterialSlopes noSlopes;
 
 const InstanceRecord& load_instance(uint) { return theInstance; }
 TriangleCorners load_triangle(uint, uint) { return theTriangle; }
@@ -34,6 +35,8 @@ SeaSlopes sample_sea(vec2, vec2, vec2) { return {}; }
 const BsdfParams& load_bsdf(uint) { return theBsdf; }
 const BsdfLayerRecord& load_bsdf_layer(uint) { return noLayer; }
 const TextureLayerRecord& load_texture_layer(uint) { return noTextureLayer; }
+
+const MaterialSlopes& load_material_slopes(uint) { return noSlopes; }
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"

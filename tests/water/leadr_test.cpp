@@ -27,7 +27,9 @@ struct PointKernels {
     BsdfLayerRecord noLayer{};
     TextureLayerRecord noTextureLayer{};
     InstanceRecord noInstance{};
+    MaterialSlopes slopes{};
 
+    const MaterialSlopes& load_material_slopes(uint) { return slopes; }
     const BsdfParams& load_bsdf(uint i) { return bsdfs[i]; }
     const BsdfLayerRecord& load_bsdf_layer(uint) { return noLayer; }
     const TextureLayerRecord& load_texture_layer(uint) { return noTextureLayer; }
@@ -88,12 +90,17 @@ struct Bumpy : testing::Test {
             kernels.noInstance.normal_from_object[i][i] = 1;
         kernels.bsdfs.push_back(bsdf_prepared(metal));
         material.flags = MATERIAL_LIBRARY | MATERIAL_GLINT, material.model = MODEL_GLINT;
-        material.textures = SLOT_NORMAL, material.normal_scale = 1;
-        material.normal_slot.row_u = {1, 0, 0, 0}, material.normal_slot.row_v = {0, 1, 0, 0};
+        material.textures = SLOT_SLOPES;
+        kernels.slopes.slot.row_u = {1, 0, 0, 0}, kernels.slopes.slot.row_v = {0, 1, 0, 0};
+        kernels.slopes.is_last = 1;
+        scaleNormals(1);
         surface.ng = vec3(0, 0, 1), surface.front = 1, surface.color = vec4(1);
         surface.frame = frame_from_normal_tangent(vec3(0, 0, 1), vec3(1, 0, 0), 1);
     }
 
+    void scaleNormals(float scale) {
+        kernels.slopes.to_x = vec2(scale, 0), kernels.slopes.to_y = vec2(0, scale);
+    }
     // width: of the pixel, metres, in parallel light.
     PointKernels::ShadingPoint point(vec2 uv, float width, vec3 wo) {
         surface.uv0 = uv, surface.cone.width = width;
@@ -140,11 +147,11 @@ TEST_F(Bumpy, TheFarViewIsTheMeanOfTheNearOnes) {
 TEST_F(Bumpy, ATransformOfCoordinatesAndAScaleOfNormalsReachTheSlopes) {
     // Four repeats a unit: a quarter of the footprint sees all of the map.
     const Slopes whole = glint_material_slopes(point(vec2(0.3f), 1, vec3(0, 0, 1)).bsdf);
-    material.normal_slot.row_u.x = material.normal_slot.row_v.y = 4;
+    kernels.slopes.slot.row_u.x = kernels.slopes.slot.row_v.y = 4;
     const Slopes quarter = glint_material_slopes(point(vec2(0.3f), 0.25f, vec3(0, 0, 1)).bsdf);
     EXPECT_NEAR(quarter.mean.x, whole.mean.x, 1e-4f);
     EXPECT_NEAR(quarter.var_x, whole.var_x, 1e-3f * whole.var_x);
-    material.normal_scale = 0.5f;
+    scaleNormals(0.5f);
     const Slopes half = glint_material_slopes(point(vec2(0.3f), 0.25f, vec3(0, 0, 1)).bsdf);
     const float own = 0.5f * 0.12f * 0.12f;
     EXPECT_NEAR(half.mean.x, 0.5f * whole.mean.x, 1e-4f);
@@ -170,7 +177,7 @@ TEST_F(Bumpy, NeitherATurnedTangentNorTheBackMovesTheSurface) {
 }
 
 TEST_F(Bumpy, ASurfaceThatTurnsAwayStaysInSight) {
-    material.normal_scale = 8;
+    scaleNormals(8);
     test::Random random(3);
     for (int i = 0; i < 2000; ++i) {
         const vec3 wo = normalize(
@@ -202,14 +209,18 @@ TEST(SlopeTables, AreMadeForGlintsOnceAndAgainWhenTheTextureChanges) {
     }
     cpu::MaterialTable table;
     cpu::SceneView view{};
-    const auto slot = [&](size_t i) -> const TextureSlot& {
-        return view.materials[table.indexOf(*scene.instances[i])].normal_slot;
+    const auto record = [&](size_t i) -> const MaterialRecord& {
+        return view.materials[table.indexOf(*scene.instances[i])];
     };
+    const auto slopes = [&](size_t i) { return view.materialSlopes[record(i).first_slopes]; };
     table.fill(scene), table.show(view);
-    EXPECT_EQ(slot(0).slope_map, 0u);
-    EXPECT_EQ(slot(1).slope_map, 0u);
-    EXPECT_EQ(slot(2).slope_map, NO_INDEX);
-    EXPECT_EQ(slot(3).slope_map, NO_INDEX);
+    for (const size_t glint : {0, 1}) {
+        EXPECT_EQ(record(glint).textures, SLOT_SLOPES);
+        EXPECT_EQ(slopes(glint).slope_map, 0u);
+        EXPECT_EQ(slopes(glint).is_last, 1u);
+    }
+    EXPECT_EQ(record(2).textures, SLOT_NORMAL);
+    EXPECT_EQ(record(3).textures, SLOT_NORMAL);
     EXPECT_EQ(view.slopeMaps[0].size.width, 8u);
     const void* first = view.slopeMaps[0].levels[0];
     const auto mean = [&] {

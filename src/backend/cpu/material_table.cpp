@@ -27,7 +27,8 @@ MaterialTable::~MaterialTable() = default;
 void MaterialTable::show(SceneView& view) const {
     view.materials = records_.data();
     view.textures = textures_.data();
-    view.slopeMaps = slopeMapViews_.data();
+    view.slopeMaps = slopes_.views();
+    view.materialSlopes = slopes_.records().data();
     view.bsdfs = bsdfs_->all.data();
     view.bsdfLayers = layers_.data();
     view.textureLayers = textureLayers_.data();
@@ -40,7 +41,7 @@ void MaterialTable::fillUse(TextureSlot& slot, const TextureUse& use) {
         textureIndex_.try_emplace(use.texture.get(), uint32_t(textures_.size()));
     if (fresh) textures_.push_back(textureView(*use.texture));
     slot.texture_index = it->second;
-    slot.tex_coord = use.texCoord, slot.slope_map = NO_INDEX;
+    slot.tex_coord = use.texCoord;
     const glm::mat3x2& m = use.uvTransform;
     slot.row_u = {m[0][0], m[1][0], m[2][0], 0};
     slot.row_v = {m[0][1], m[1][1], m[2][1], 0};
@@ -53,19 +54,20 @@ void MaterialTable::fillSlot(MaterialRecord& r, TextureSlot& slot, uint32_t bit,
     r.textures |= bit;
 }
 
-void MaterialTable::fillSlopeMap(TextureSlot& slot, const std::shared_ptr<const Texture>& texture) {
-    const auto [it, fresh] = slopeMaps_.try_emplace(texture.get());
-    MappedSlopes& slopes = it->second;
-    if (fresh || slopes.revision != texture->revision) {
-        slopes.texture = texture, slopes.revision = texture->revision;
-        slopes.map = slopeMapFromNormals(*texture);
-        slopes.index = NO_INDEX;
-    }
-    if (slopes.index == NO_INDEX) {
-        slopes.index = uint32_t(slopeMapViews_.size());
-        slopeMapViews_.push_back(slopeMapView(slopes.map));
-    }
-    slot.slope_map = slopes.index;
+// All maps of slopes together. Facets take the normal map as slopes too; other models bend by it as
+// it is.
+void MaterialTable::fillSlopes(MaterialRecord& r, const Material& m) {
+    const bool normalMap = r.model == MODEL_GLINT && m.normalTexture.texture;
+    if (!normalMap && m.slopeMaps.empty()) return;
+    if (normalMap) r.textures &= ~SLOT_NORMAL;
+    r.textures |= SLOT_SLOPES;
+    r.first_slopes = uint32_t(slopes_.records().size());
+    const auto add = [&](const SlopeMapUse& use, bool turned) {
+        fillUse(slopes_.add(use, turned).slot, use.texture);
+    };
+    if (normalMap) add({m.normalTexture, SlopeMapKind::normal, m.normalScale, {}}, false);
+    for (const SlopeMapUse& use : m.slopeMaps) add(use, true);
+    slopes_.records().back().is_last = 1;
 }
 
 void MaterialTable::fillSlots(MaterialRecord& r, const Material& m) {
@@ -155,8 +157,6 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colore
     r.attenuation = prepared.thin != 0u ? glm::vec3(0)
         : shading::medium_absorption(m.attenuationColor, m.attenuationDistance);
     if (masked) r.flags |= MATERIAL_NEEDS_UV;
-    if (r.model == MODEL_GLINT && m.normalTexture.texture)
-        fillSlopeMap(r.normal_slot, m.normalTexture.texture);
     if (m.sea != SeaWater::none) r.flags |= MATERIAL_SEA | MATERIAL_NEEDS_UV;
     if (m.sea == SeaWater::deep) r.flags &= ~MATERIAL_SOLID;
     r.anisotropy = 1;  // any model may ask for tangents
@@ -216,8 +216,7 @@ void MaterialTable::fill(const Scene& scene) {
     records_.clear(), index_.clear(), owners_.clear();
     textures_.clear(), textureIndex_.clear();
     layers_.clear(), bsdfs_->all.clear(), textureLayers_.clear();
-    slopeMapViews_.clear();
-    for (auto& [texture, slopes] : slopeMaps_) slopes.index = NO_INDEX;
+    slopes_.beginFill();
     // Colours of vertices count where any mesh of a material has them.
     std::unordered_map<const Material*, bool> vertexColors;
     for (const auto& instance : scene.instances)
@@ -231,9 +230,10 @@ void MaterialTable::fill(const Scene& scene) {
         if (m.layers.empty()) r.flags |= gltfFlags(m);
         else fillLayers(r, m, vertexColors[&m] || m.baseColorTexture.texture ||
                                   !m.textureLayers.empty() || instance->color != glm::vec4(1));
+        fillSlopes(r, m);
         records_.push_back(r);
     }
-    std::erase_if(slopeMaps_, [](const auto& entry) { return entry.second.index == NO_INDEX; });
+    slopes_.endFill();
 }
 
 }  // namespace gp::cpu

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "backend/cpu/scene_view.h"
+#include "backend/cpu/slope_table.h"
 #include "scene/scene.h"
-#include "scene/slope_map.h"
 
 namespace gp::cpu {
 
@@ -41,7 +41,7 @@ private:
     void fillSlot(shared::MaterialRecord& r, shared::TextureSlot& slot, uint32_t bit,
                   const TextureUse& use);
     void fillUse(shared::TextureSlot& slot, const TextureUse& use);
-    void fillSlopeMap(shared::TextureSlot& slot, const std::shared_ptr<const Texture>& texture);
+    void fillSlopes(shared::MaterialRecord& r, const Material& m);
     void fillLayers(shared::MaterialRecord& r, const Material& m, bool colored);
     void fillTextureLayers(shared::MaterialRecord& r, const Material& m, glm::vec4 color);
 
@@ -50,15 +50,7 @@ private:
     std::vector<std::shared_ptr<const Material>> owners_;
     std::vector<TextureView> textures_;
     std::unordered_map<const Texture*, uint32_t> textureIndex_;
-    // Made once for a texture and the pixels that it has.
-    struct MappedSlopes {
-        std::shared_ptr<const Texture> texture;
-        uint64_t revision;
-        SlopeMap map;
-        uint32_t index;  // NO_INDEX: not used since the last fill
-    };
-    std::unordered_map<const Texture*, MappedSlopes> slopeMaps_;
-    std::vector<SlopeMapView> slopeMapViews_;
+    SlopeTable slopes_;
     std::vector<shared::BsdfLayerRecord> layers_;
     std::vector<shared::TextureLayerRecord> textureLayers_;
     std::unique_ptr<Bsdfs> bsdfs_;

@@ -66,6 +66,7 @@ struct SceneView {
     const void* bsdfs;          // shading::BsdfParams, a type of each translation unit
     const shared::BsdfLayerRecord* bsdfLayers;
     const shared::TextureLayerRecord* textureLayers;
+    const shared::MaterialSlopes* materialSlopes;
     const TextureView* textures;
     const SlopeMapView* slopeMaps;
     const shared::LightRecord* lights;        // directional ones first

@@ -51,6 +51,7 @@ struct Kernels {
     const BsdfParams& load_bsdf(uint i) { return static_cast<const BsdfParams*>(view.bsdfs)[i]; }
     const BsdfLayerRecord& load_bsdf_layer(uint i) { return view.bsdfLayers[i]; }
     const TextureLayerRecord& load_texture_layer(uint i) { return view.textureLayers[i]; }
+    const MaterialSlopes& load_material_slopes(uint i) { return view.materialSlopes[i]; }
     const LightRecord& load_light(uint i) { return view.lights[i]; }
     const LightTreeNode& load_light_node(uint i) { return view.lightTree[i]; }
     uint load_light_of_triangle(uint instance, uint primitive) {
