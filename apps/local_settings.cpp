@@ -55,6 +55,17 @@ std::vector<GpShadingFrequency> frequenciesOf(const LocalSettings& s) {
 
 }  // namespace
 
+void addEnvironmentLight(CLI::App& app, LocalSettings& s, const char* group) {
+    addWord(app, "--environment-light", "ambient|9|16|25",
+            "Surfaces of slopes (glint, the sea) reflect the surroundings by so many facets, and "
+            "all surfaces have their light by direction (default ambient: their mean)",
+            [&s](const std::string& word) {
+                const std::pair<const char*, std::uint32_t> choices[] = {
+                    {"ambient", 0}, {"9", 9}, {"16", 16}, {"25", 25}};
+                s.environmentFacets = parseChoice("--environment-light", word, choices);
+            })->group(group);
+}
+
 void addLocalOptions(CLI::App& app, LocalSettings& s) {
     const std::string group = "Local lighting (--mode local)";
     addWord(app, "--mode", "reference|realtime|local",
@@ -108,6 +119,7 @@ void addLocalOptions(CLI::App& app, LocalSettings& s) {
                     throw UsageError(fmt::format("--ambient: {} is negative", word));
                 }
             })->group(group);
+    addEnvironmentLight(app, s, group.c_str());
 }
 
 void checkMode(const CLI::App& app, const LocalSettings& s) {
@@ -132,7 +144,8 @@ void checkMode(const CLI::App& app, const LocalSettings& s) {
         return;
     }
     for (const char* option :
-         {"--lighting", "--set", "--frequency", "--falloff", "--ndf-filter", "--ambient"}) {
+         {"--lighting", "--set", "--frequency", "--falloff", "--ndf-filter", "--ambient",
+          "--environment-light"}) {
         refuse(option, "local");
     }
 }
@@ -171,6 +184,7 @@ std::vector<Lighting> lightingsOf(const LocalSettings& settings,
             lighting.local.frequency = frequency;
             lighting.local.falloff = settings.falloff;
             lighting.local.ndfFilter = settings.ndfFilter;
+            lighting.local.environmentFacets = settings.environmentFacets;
             std::copy_n(settings.ambient, 3, lighting.local.ambient);
             all.push_back(lighting);
         }

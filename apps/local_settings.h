@@ -1,6 +1,7 @@
 // `glitterpath render --mode local`: the lighting that was asked for.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,11 @@ struct LocalSettings {
     GpFalloff falloff = GP_FALLOFF_INVERSE_SQUARE;
     GpNdfFilter ndfFilter = GP_NDF_FILTER_NONE;
     float ambient[3] = {0, 0, 0};
+    std::uint32_t environmentFacets = 0;  // 0: the surroundings are ambient light
 };
+
+// --environment-light alone, for commands that have no more of it.
+void addEnvironmentLight(CLI::App& app, LocalSettings& settings, const char* group);
 
 // The settings must outlive the parsing.
 void addLocalOptions(CLI::App& app, LocalSettings& settings);

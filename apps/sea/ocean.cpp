@@ -23,6 +23,7 @@ constexpr const char* kNotes =
     "  glitterpath ocean -o sea.png\n"
     "  glitterpath ocean --wind 6 --sun 0,3 --camera-height 12 --samples 256 -o sunset.png\n"
     "  glitterpath ocean --wind 12 --fetch 300 --frames 240 --fps 24 -o sea.mp4\n"
+    "  glitterpath ocean --wind 8 --sun 0,10 --mode local --samples 8 -o quick.png\n"
     "  glitterpath ocean --env harbour.hdr --depth 4 --spectrum tma --size 1920x1080 -o bay.exr";
 
 GpCameraDesc cameraOf(const OceanSettings& s) {
@@ -77,7 +78,9 @@ int renderStill(GpDevice device, const OceanSettings& s) {
     if (r.local.mode == GP_MODE_REALTIME) {
         renderRealtime(device, frame.get(), setup.scene.get(), camera, r, report);
     } else {
-        report.interrupted = !trace(device, frame.get(), setup.scene.get(), camera, r, {});
+        GpLocalLighting local{};
+        local.environmentFacets = r.local.environmentFacets;
+        report.interrupted = !trace(device, frame.get(), setup.scene.get(), camera, r, local);
         check(device, gpGetFrameStatistics(frame.get(), &report.statistics));
     }
     if (report.interrupted && report.statistics.samplesPerPixel == 0) {

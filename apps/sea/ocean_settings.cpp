@@ -93,15 +93,18 @@ void addOceanOptions(CLI::App& app, OceanSettings& s) {
     addViewOptions(app, s);
     addSkyOptions(app, r);
     addMovingOptions(app, s);
-    addWord(app, "--mode", "realtime|reference",
-            "realtime: a path or so a pixel, denoised; reference: path-traced (default reference, "
-            "with --frames realtime)",
+    addWord(app, "--mode", "realtime|reference|local",
+            "realtime: a path or so a pixel, denoised; reference: path-traced; local: a quick "
+            "still without noise, shadows or bounces (default reference, with --frames realtime)",
             [&s](const std::string& word) {
                 const std::pair<const char*, GpFrameMode> choices[] = {
-                    {"realtime", GP_MODE_REALTIME}, {"reference", GP_MODE_REFERENCE}};
+                    {"realtime", GP_MODE_REALTIME},
+                    {"reference", GP_MODE_REFERENCE},
+                    {"local", GP_MODE_LOCAL}};
                 s.picture.mode = parseChoice("--mode", word, choices);
                 s.modeGiven = true;
             });
+    addEnvironmentLight(app, r.local, "Local lighting (--mode local)");
     addWord(app, "--denoiser", "NAME", "asvgf, svgf, atrous, bmfr or none (default asvgf)",
             [&r](const std::string& word) {
                 r.options.realtime.denoiser = parseDenoiser(word);
@@ -117,12 +120,35 @@ void addOceanOptions(CLI::App& app, OceanSettings& s) {
     addMachineOptions(app, r);
 }
 
+// Of --mode local: the sky is reflected by 16 facets where nothing else was asked for.
+void checkLocalSea(const CLI::App& app, OceanSettings& s) {
+    const bool given = app.count("--environment-light") > 0;
+    if (s.picture.mode != GP_MODE_LOCAL) {
+        if (given) {
+            throw UsageError("--environment-light: only with --mode local");
+        }
+        return;
+    }
+    if (s.moves()) {
+        throw UsageError("--frames: not with --mode local");
+    }
+    for (const char* name : {"--bounces", "--clamp", "--no-roulette"}) {
+        if (app.count(name) > 0) {
+            throw UsageError(fmt::format("{}: not with --mode local", name));
+        }
+    }
+    if (!given) {
+        s.picture.render.local.environmentFacets = 16;
+    }
+}
+
 void checkOceanSettings(const CLI::App& app, OceanSettings& s) {
     RenderSettings& r = s.picture.render;
     if (!s.modeGiven) {
         s.picture.mode = s.moves() ? GP_MODE_REALTIME : GP_MODE_REFERENCE;
     }
     r.local.mode = s.picture.mode;
+    checkLocalSea(app, s);
     if (const std::string fault = seaFault(s.sea, "--"); !fault.empty()) {
         throw UsageError(fault);
     }

@@ -17,6 +17,7 @@
 #include "frame/draw.h"
 #include "frame/frame_images.h"
 #include "frame/frame_sky.h"
+#include "frame/frame_surroundings.h"
 #include "frame/realtime.h"
 #include "glitterpath/glitterpath.h"
 #include "io/gltf.h"
@@ -124,6 +125,7 @@ struct FrameObject final : ChildObject {
     Camera camera;
     glm::vec3 skyViewer{0};
     FrameSky sky;                    // of other modes than FrameMode::realtime
+    FrameSurroundings surroundings;  // of FrameMode::local
     DrawList draws;                  // wait for the next render
     uint64_t drawElements = 0;       // their vertices and indices
     DrawList overlay;                // that the last render drew: gpTonemapFrame draws it again

@@ -113,7 +113,9 @@ Sea& seaOf(const SceneObject& s) {
 void saveMaps(const Ocean& ocean, const std::string& folder) {
     constexpr std::string_view letters = "RGBAXYZW";
     for (const OceanMap& map : ocean.maps()) {
-        const io::ImageLayer layer{"", std::string(letters.substr(0, map.channels)),
+        // One channel alone is luminance by name, as readers of pictures want it.
+        const std::string names(map.channels == 1 ? "Y" : letters.substr(0, map.channels));
+        const io::ImageLayer layer{"", names,
                                    map.texels.data()};
         io::saveExr(folder + "/" + map.name + ".exr", map.size, map.size, {&layer, 1},
                     io::ExrPixel::float32);

@@ -82,6 +82,15 @@ void checkMode(const FrameObject& frame, const GpRenderOptions& o) {
     if (checkEnum(o.local.ndfFilter, 4, "options.local.ndfFilter") != 0)
         refuse("local.ndfFilter", "GP_MODE_LOCAL");
     if (!allZero(o.local.ambient, 3)) refuse("local.ambient", "GP_MODE_LOCAL");
+    if (o.local.environmentFacets != 0) refuse("local.environmentFacets", "GP_MODE_LOCAL");
+}
+
+// Facets along each axis of the sum, of which there are the square.
+uint32_t environmentNodes(uint32_t facets) {
+    for (const uint32_t nodes : {0u, 3u, 4u, 5u})
+        if (facets == nodes * nodes) return nodes;
+    fail(GP_ERROR_INVALID_ARGUMENT, "options.local.environmentFacets is {}, not 0, 9, 16 or 25",
+         facets);
 }
 
 LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* model,
@@ -97,6 +106,7 @@ LocalLighting localLightingFrom(const GpRenderOptions& o, const BsdfSettings* mo
              "options.local.ndfFilter filters over pixels: only with GP_FREQUENCY_PIXEL");
     checkNotNegative(o.local.ambient, 3, "options.local.ambient");
     local.ambient = vec3From(o.local.ambient);
+    local.environmentNodes = environmentNodes(o.local.environmentFacets);
     if (model && shading == ShadingMode::diffuse)
         fail(GP_ERROR_INVALID_ARGUMENT,
              "options.local.model replaces all materials, as GP_SHADING_DIFFUSE does: not both");
@@ -270,10 +280,11 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         return;
     }
     const double secondsBuild = build(*scene, plan);
-    if (frame.scene.lock() != scene) frame.sky.forget();
+    if (frame.scene.lock() != scene) frame.sky.forget(), frame.surroundings.forget();
     RenderResult result;
     try {
         frame.sky.update(*frame.device->backend, *scene->backendScene, scene->scene, plan);
+        frame.surroundings.update(*frame.device->backend, *scene->backendScene, scene->scene, plan);
         result = renderFrame(*frame.device->backend, *scene->backendScene, plan, frame.images,
                              cancel, progressOf(options));
     } catch (...) {

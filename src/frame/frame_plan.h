@@ -18,6 +18,7 @@ enum class FrameMode : uint32_t { reference, realtime, local };
 
 struct BsdfSettings;      // scene/bsdf_registry.h
 struct EnvironmentTable;  // scene/environment_table.h
+struct SkyPyramid;        // scene/sky_pyramid.h
 
 // FrameMode::local: how lamps light what the camera sees. The numbers are the kernel's.
 enum class ShadingFrequency : uint32_t { pixel, vertex, triangle };
@@ -30,6 +31,8 @@ struct LocalLighting {
     Falloff falloff = Falloff::inverseSquare;
     NdfFilter ndfFilter = NdfFilter::none;
     glm::vec3 ambient{0};                 // radiance, beside the environment's
+    uint32_t environmentNodes = 0;        // facets along each axis that the environment lights,
+                                          // 3..5; 0: it is ambient light
 };
 
 struct FramePlan {
@@ -58,6 +61,8 @@ struct FramePlan {
     // In the environment's place, where more surrounds the scene (frame/frame_sky.h); else null.
     std::shared_ptr<const EnvironmentTable> sky;
     bool skyDrawn = false;            // rasterised geometry is in it
+    // FrameMode::local: what surrounds the scene as light (frame/frame_surroundings.h); null: none.
+    std::shared_ptr<const SkyPyramid> surroundings;
     glm::vec3 skyViewer{0};           // where sky geometry is seen from
     uint32_t skyCubeSize = 128;       // pixels of a face that sky is drawn into
 

@@ -42,29 +42,33 @@ Camera cameraOfFace(uint32_t face) {
     return camera;
 }
 
-// How many rays along each side of a texel, so that no texel of the image behind is left out.
-uint32_t samplesOf(const Scene& scene, uint32_t size, bool geometry) {
-    const uint32_t width = scene.environment.table ? scene.environment.table->width : 0;
-    return std::clamp(width / (4 * size), geometry ? 2u : 1u, 8u);
-}
-
 }  // namespace
 
-void FrameSky::update(Backend& backend, const BackendScene& backendScene, const Scene& scene,
-                      FramePlan& plan) {
-    const std::vector<const DrawCommand*> draws = skyDraws(plan);
-    Source source;
+SkySource skySourceOf(const Scene& scene, const FramePlan& plan) {
+    SkySource source;
     source.geometry = hasSkyGeometry(scene);
-    plan.sky = nullptr;
-    plan.skyDrawn = !draws.empty();
-    if (!source.geometry && draws.empty()) return forget();
-    source.size = draws.empty() ? guideSize : plan.skyCubeSize;
     if (source.geometry) source.revision = scene.revision, source.viewer = plan.skyViewer;
     const Environment& environment = scene.environment;
     source.image = environment.table, source.color = environment.color;
     source.rotation = environment.rotation;
+    return source;
+}
+
+uint32_t skySamples(const SkySource& source) {
+    const uint32_t width = source.image ? source.image->width : 0;
+    return std::clamp(width / (4 * source.size), source.geometry ? 2u : 1u, 8u);
+}
+
+void FrameSky::update(Backend& backend, const BackendScene& backendScene, const Scene& scene,
+                      FramePlan& plan) {
+    const std::vector<const DrawCommand*> draws = skyDraws(plan);
+    SkySource source = skySourceOf(scene, plan);
+    plan.sky = nullptr;
+    plan.skyDrawn = !draws.empty();
+    if (!source.geometry && draws.empty()) return forget();
+    source.size = draws.empty() ? guideSize : plan.skyCubeSize;
     try {
-        const bool changed = updateBackground(backend, backendScene, scene, plan, source);
+        const bool changed = updateBackground(backend, backendScene, plan, source);
         if (!draws.empty()) drawFaces(backend, draws);
         if (changed || !draws.empty() || !table_)
             updateTable(draws.empty() ? background_ : drawn_, source.rotation);
@@ -77,14 +81,13 @@ void FrameSky::update(Backend& backend, const BackendScene& backendScene, const 
 
 // True where it was made anew.
 bool FrameSky::updateBackground(Backend& backend, const BackendScene& backendScene,
-                                const Scene& scene, const FramePlan& plan, const Source& source) {
+                                const FramePlan& plan, const SkySource& source) {
     if (source == source_) return false;
     if (source.size != source_.size) table_.reset();
     source_ = {};
     background_.size = source.size;
     background_.texels.assign(size_t(6) * source.size * source.size, glm::vec3(0));
-    backend.traceSky(backendScene, plan, samplesOf(scene, source.size, source.geometry),
-                     background_);
+    backend.traceSky(backendScene, plan, skySamples(source), background_);
     source_ = source;
     return true;
 }

@@ -12,6 +12,24 @@
 
 namespace gp {
 
+// What a cube of all directions was made of.
+struct SkySource {
+    uint32_t size = 0;
+    bool geometry = false;
+    uint64_t revision = 0;    // of the scene, where it has sky geometry
+    glm::vec3 viewer{0};      // the same
+    std::shared_ptr<const EnvironmentTable> image;
+    glm::vec3 color{0};
+    float rotation = 0;
+    bool operator==(const SkySource&) const = default;
+};
+
+// Of environment and sky geometry; `size`, of the cube's faces, is left to the caller.
+SkySource skySourceOf(const Scene& scene, const FramePlan& plan);
+// How many rays along each side of a texel of a cube of that size, so that no texel of the image
+// behind is left out.
+uint32_t skySamples(const SkySource& source);
+
 class FrameSky {
 public:
     // Sets plan.sky and plan.skyDrawn: to null and false where the environment says all. Draws
@@ -22,24 +40,12 @@ public:
     void forget() { *this = {}; }
 
 private:
-    // What the background was made of.
-    struct Source {
-        uint32_t size = 0;
-        bool geometry = false;
-        uint64_t revision = 0;    // of the scene, where it has sky geometry
-        glm::vec3 viewer{0};      // the same
-        std::shared_ptr<const EnvironmentTable> image;
-        glm::vec3 color{0};
-        float rotation = 0;
-        bool operator==(const Source&) const = default;
-    };
-
     bool updateBackground(Backend& backend, const BackendScene& backendScene,
-                          const Scene& scene, const FramePlan& plan, const Source& source);
+                          const FramePlan& plan, const SkySource& source);
     void drawFaces(Backend& backend, const std::vector<const DrawCommand*>& draws);
     void updateTable(const CubeMap& cube, float rotation);
 
-    Source source_;
+    SkySource source_;
     CubeMap background_, drawn_;
     LatLongImage image_;
     std::shared_ptr<EnvironmentTable> table_;

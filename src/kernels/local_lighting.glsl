@@ -3,11 +3,12 @@
 // Light is computed for each pixel [Phong 1975], for the corners of triangles with the pixels in
 // between interpolated [Gouraud 1971], or once for each triangle.
 // Resources: load_local_lighting, load_lighting_model (where that replaces the materials), and
-// those of path.glsl.
+// those of path.glsl and slope_lighting.glsl.
 #ifndef GP_KERNELS_LOCAL_LIGHTING_GLSL
 #define GP_KERNELS_LOCAL_LIGHTING_GLSL
 #include "kernels/path.glsl"
 #include "kernels/pixel_turn.glsl"
+#include "kernels/slope_lighting.glsl"
 #include "shading/light/lamp_point.glsl"
 
 // What a point of a surface sends to the viewer.
@@ -60,6 +61,18 @@ vec3 filtered_f_cos(IN(LocalPoint) at, IN(LightSample) lamp, vec3 wo_local, vec3
                      turned_about_normal(wi_local, filtered.axis)).f_cos;
 }
 
+// f cos of a lamp. A sun is a direction, but surfaces of slopes reflect all of its disc.
+vec3 lamp_f_cos(IN(LocalPoint) at, IN(LightRecord) record, vec3 wo_local, vec3 wi_local) {
+    if (record.kind == LIGHT_DIRECTIONAL && at.shading.bsdf.model == MODEL_GLINT) {
+        DirectionalLight sun = directional_light(record);
+        if (sun.one_minus_cos_max > 0.0f) {
+            return bsdf_eval(slopes_under_sun(at.shading.bsdf, wo_local, wi_local, sun), wo_local,
+                             wi_local).f_cos;
+        }
+    }
+    return bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
+}
+
 LocalLight light_of(IN(LocalPoint) at) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
     vec3 wo_local = local_from_world(at.shading.frame, at.wo);
@@ -71,11 +84,12 @@ LocalLight light_of(IN(LocalPoint) at) {
         vec3 wi_local = local_from_world(at.shading.frame, lamp.wi);
         vec3 f_cos = highlight_is_filtered(at, wo_local, wi_local)
                          ? filtered_f_cos(at, lamp, wo_local, wi_local)
-                         : bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
+                         : lamp_f_cos(at, load_light(i), wo_local, wi_local);
         sum.direct += f_cos * lamp.radiance;
     }
-    sum.ambient = bsdf_albedo(at.shading.bsdf, abs(dot(shown_normal(at.shading), at.wo))) *
-                  local.ambient;
+    vec3 albedo = bsdf_albedo(at.shading.bsdf, abs(dot(shown_normal(at.shading), at.wo)));
+    sum.ambient = albedo * local.ambient;
+    if (local.sky_nodes != 0u) { sum.ambient += lit_by_sky(at.shading, wo_local, albedo); }
     return sum;
 }
 

@@ -301,13 +301,18 @@ struct FrameConstants {
 
 // How GP_MODE_LOCAL lights what the camera sees: gp::LocalLighting and the scene's constants.
 struct LocalLightingConstants {
-    vec3 ambient;             // radiance from all sides, the mean of the environment included
+    vec3 ambient;             // radiance from all sides; without sky_nodes the environment's mean
+                              // is in it
     uint frequency;
     uint falloff;             // FALLOFF_ of shading/light/lamp_point.glsl
     uint lamps;               // the first lights of the table: all but emissive triangles
     uint replaces_materials;  // 1: one model is the reflectance of all surfaces
     uint parallel_view;       // 1: an orthographic camera
+    vec3 sky_mean;            // of the environment's radiance
     uint ndf_filter;          // NDF_FILTER_ of shading/slope/ndf_filtering.glsl
+    uint sky_nodes;           // facets along each axis that the environment lights; 0: none
+    float sky_texel;          // steradians of a texel of sample_sky's finest level, in the middle
+                              // of a face
 };
 
 #endif

@@ -25,5 +25,6 @@ static_assert(sizeof(EnvironmentCell) == 8);
 static_assert(sizeof(FrameConstants) == 128 && offsetof(FrameConstants, environment_color) == 48);
 static_assert(offsetof(FrameConstants, background_color) == 96 &&
               offsetof(FrameConstants, sky_viewer) == 112);
-static_assert(sizeof(LocalLightingConstants) == 36);
+static_assert(sizeof(LocalLightingConstants) == 56 &&
+              offsetof(LocalLightingConstants, sky_mean) == 32);
 }  // namespace gp::shared

@@ -36,11 +36,15 @@ layout(std430, binding = 19) readonly buffer SlopeBuffer { SlopeTexel slope_texe
 layout(std430, binding = 26) readonly buffer MaterialSlopesBuffer {
     MaterialSlopes material_slope_records[];
 };
+layout(binding = 21) uniform samplerCube sky_levels;
+layout(binding = 22) uniform samplerCube sky_irradiance;
 layout(std430, binding = 20) readonly buffer SeaBuffer { SeaSlopes sea_texels[]; };
 
 FrameConstants load_frame() { return frame_constants; }
 LocalLightingConstants load_local_lighting() { return local_lighting_constants; }
 BsdfParams load_lighting_model() { return lighting_parameters; }
+vec3 sample_sky(vec3 d, float level) { return vec3(textureLod(sky_levels, d, level)); }
+vec3 sample_sky_irradiance(vec3 d) { return vec3(textureLod(sky_irradiance, d, 0.0f)); }
 InstanceRecord load_instance(uint i) { return instances[i]; }
 MaterialRecord load_material(uint i) { return materials[i]; }
 BsdfParams load_bsdf(uint i) { return bsdfs[i]; }

@@ -85,6 +85,22 @@ TEST(Ocean, RealTimeShowsTheSameSeaAsTheReference) {
     EXPECT_NEAR(found, expected, 0.1 * expected);
 }
 
+// A quick still is the same sea too: a sky reflected by facets, the sun as a disc.
+TEST(Ocean, LocalLightingShowsTheSameSeaAsTheReference) {
+    const TestFolder folder;
+    const Words view = {"--pitch", "-20", "--sun", "180,40", "--wind", "6", "--foam", "0"};
+    Words reference = view;
+    reference.insert(reference.end(), {"--samples", "128"});
+    Words local = view;
+    local.insert(local.end(), {"--mode", "local", "--samples", "8"});
+    const double expected = meanLuminance(oceanPicture(folder("a.exr"), reference), 0, 24);
+    const double found = meanLuminance(oceanPicture(folder("b.exr"), local), 0, 24);
+    EXPECT_NEAR(found, expected, 0.05 * expected);
+    local.insert(local.end(), {"--environment-light", "ambient"});
+    const double ambient = meanLuminance(oceanPicture(folder("c.exr"), local), 0, 24);
+    EXPECT_GT(std::abs(ambient - expected), 0.1 * expected);
+}
+
 TEST(Ocean, RefusesWhatItCannotDo) {
     const TestFolder folder;
     const std::string out = folder("x.png");
@@ -105,6 +121,10 @@ TEST(Ocean, RefusesWhatItCannotDo) {
         {{"--denoiser", "svgf"}, "only with --mode realtime"},
         {{"--mode", "realtime", "--samples", "4"}, "only with --mode reference"},
         {{"--frames", "2"}, "x.png"},
+        {{"--environment-light", "9"}, "only with --mode local"},
+        {{"--mode", "local", "--environment-light", "8"}, "ambient, 9, 16"},
+        {{"--mode", "local", "--frames", "2"}, "not with --mode local"},
+        {{"--mode", "local", "--bounces", "2"}, "not with --mode local"},
         {{"--camera-height", "0"}, "--camera-height"},
         {{"--wand", "3"}, "did you mean --wind"},
     };

@@ -11,6 +11,7 @@
 #include "backend/cpu/cpu_backend.h"
 #include "backend/cpu/rasterizer.h"
 #include "scene/bsdf_settings.h"
+#include "scene/sky_pyramid.h"
 #include "shading/shading.h"
 
 namespace gp::cpu {
@@ -123,7 +124,15 @@ static_assert(FREQUENCY_VERTEX == uint32_t(ShadingFrequency::vertex) &&
 shared::LocalLightingConstants localConstants(const CpuScene& scene, const SceneView& view,
                                               const FramePlan& plan) {
     shared::LocalLightingConstants c{};
-    c.ambient = plan.local.ambient + view.environmentMean;
+    c.ambient = plan.local.ambient;
+    if (plan.surroundings) {
+        c.sky_nodes = plan.local.environmentNodes;
+        const float finest = float(plan.surroundings->levels.front().size);
+        c.sky_texel = 4.0f / (finest * finest);
+    } else {
+        c.ambient += view.environmentMean;
+    }
+    c.sky_mean = view.environmentMean;
     c.frequency = uint32_t(plan.local.frequency);
     c.falloff = uint32_t(plan.local.falloff);
     c.lamps = view.lightCount - uint32_t(scene.emissiveTriangles());
@@ -131,6 +140,17 @@ shared::LocalLightingConstants localConstants(const CpuScene& scene, const Scene
     c.ndf_filter = uint32_t(plan.local.ndfFilter);
     c.parallel_view = plan.camera.kind == CameraKind::orthographic;
     return c;
+}
+
+SkyPyramidView skyPyramidView(const SkyPyramid& sky) {
+    const auto viewOf = [](const SkyLevel& level) {
+        return SkyLevelView{level.texels.data(), level.size};
+    };
+    SkyPyramidView view{};
+    view.levelCount = uint32_t(sky.levels.size());
+    for (size_t i = 0; i < sky.levels.size(); ++i) view.levels[i] = viewOf(sky.levels[i]);
+    view.irradiance = viewOf(sky.irradiance);
+    return view;
 }
 
 }  // namespace
@@ -222,6 +242,8 @@ RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& pla
     const auto local = localConstants(static_cast<const CpuScene&>(scene), view, plan);
     shading::BsdfParams model{};
     if (plan.local.model) model = bsdfParamsFrom(*plan.local.model);
+    SkyPyramidView sky{};
+    if (plan.surroundings) sky = skyPyramidView(*plan.surroundings);
     const uint32_t tilesX = (plan.width + tileSize - 1) / tileSize;
     const uint32_t tilesY = (plan.height + tileSize - 1) / tileSize;
     tbb::combinable<RayCounts> counts;
@@ -237,7 +259,7 @@ RayCounts CpuBackend::tracePaths(const BackendScene& scene, const FramePlan& pla
             job.y1 = std::min(job.y0 + tileSize, plan.height);
             job.firstSample = first, job.sampleCount = count;
             job.recorder = recorder_;
-            const TileCounts c = isLocal ? localKernels_.lightTile({job, &local, &model})
+            const TileCounts c = isLocal ? localKernels_.lightTile({job, &local, &model, &sky})
                                          : kernels_.traceTile(job);
             RayCounts& sum = counts.local();
             sum.camera += c.camera, sum.bounce += c.bounce, sum.shadow += c.shadow;

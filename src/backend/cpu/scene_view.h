@@ -57,6 +57,17 @@ struct EnvironmentView {
     float texelScale, densityScale;
 };
 
+// SkyPyramid of scene/sky_pyramid.h.
+struct SkyLevelView {
+    const glm::vec3* texels;    // 6 (size + 2)^2
+    uint32_t size;
+};
+struct SkyPyramidView {
+    SkyLevelView levels[12];
+    SkyLevelView irradiance;
+    uint32_t levelCount;
+};
+
 struct SceneView {
     RTCScene scene;             // null: empty
     RTCScene sky;               // sky geometry; null: none
@@ -123,6 +134,7 @@ struct LocalTileJob {
     TileJob tile;
     const shared::LocalLightingConstants* local;
     const void* model;          // shading::BsdfParams in every material's place, or null
+    const SkyPyramidView* sky;  // where LocalLightingConstants::sky_nodes is not 0
 };
 
 // A rectangle of a real-time pass, in pixels of the images that it writes.

@@ -1,0 +1,95 @@
+// Surfaces of slopes (the model `glint`, the sea) in GP_MODE_LOCAL: light from all sides as a sum
+// over a few of their facets, and suns that are more than points.
+// Based on: Dupuy et al. 2013, "Linear Efficient Antialiased Displacement and Reflectance Mapping",
+// section 5.
+// Resources: load_local_lighting, sample_sky, sample_sky_irradiance.
+#ifndef GP_KERNELS_SLOPE_LIGHTING_GLSL
+#define GP_KERNELS_SLOPE_LIGHTING_GLSL
+#include "kernels/shading_point.glsl"
+#include "shading/light/directional.glsl"
+#include "shading/slope/mean_slope.glsl"
+#include "shading/slope/slope_environment.glsl"
+#include "shared/scene_structs.glsl"
+
+// Below this sum of cosines of light and view no facet that matters reflects one into the other,
+// and the spread of those that do has no bound.
+#define SUN_LEAST_HEIGHT 1.0e-3f
+
+// The surface as it reflects a sun whose disc has a width: with slopes wider by those that the disc
+// takes, which has the same light, and the same variance of the highlight. What is lost is the
+// disc's sharp edge, where slopes are narrower than it.
+BsdfParams slopes_under_sun(BsdfParams m, vec3 wo_local, vec3 wi_local,
+                            IN(DirectionalLight) sun) {
+    vec2 mean = glint_mean(m);
+    bool reflects = slope_facing(mean, wo_local) > 0.0f && slope_facing(mean, wi_local) > 0.0f;
+    if (!reflects || wo_local.z + wi_local.z < SUN_LEAST_HEIGHT) { return m; }
+    float radius = sqrt(sun.one_minus_cos_max * (2.0f - sun.one_minus_cos_max));
+    return glint_with_slopes(m, slopes_widened(glint_material_slopes(m),
+                                               sun_slope_covariance(wo_local, wi_local, radius)));
+}
+
+// Mean radiance from so many steradians about a direction of the world. What is read is spread as
+// a texel is, three times as much as a box of its size: once by the texel, twice by reading between
+// texels. So it is of a level with texels of a third of the area.
+vec3 sky_within(vec3 direction, float solid_angle) {
+    vec3 a = abs(direction);
+    float major = max(a.x, max(a.y, a.z));
+    // A cube's texels are the smaller the farther they are from the middle of a face.
+    float texel = load_local_lighting().sky_texel * major * major * major;
+    return sample_sky(direction, slope_light_lod(solid_angle / 3.0f, texel));
+}
+
+// What a facet sees below the horizon of its surface. That of the sea is other waves, which are
+// taken for flat there: they reflect the sky. Everything else hides what is below it.
+vec3 sky_of_facet(IN(ShadingPoint) p, vec3 wi_local, float solid_angle) {
+    vec3 wi = world_from_local(p.frame, wi_local);
+    if (wi_local.z > 0.0f) { return sky_within(wi, solid_angle); }
+    if ((p.flags & MATERIAL_SEA) == 0u) { return vec3(0.0f); }
+    float f = fresnel_dielectric(-wi_local.z, p.bsdf.ior);
+    return sky_within(wi - p.frame.n * (2.0f * wi_local.z), solid_angle) * f;
+}
+
+// The matte base under the facets, its light gathered over the plane of the mean slope: what falls
+// in under an angle is let through as much as it is on average.
+vec3 base_lit_by_sky(IN(ShadingPoint) p, IN(GlintView) seen) {
+    vec3 n = normalize(mesosurface_normal(seen.g.slopes.mean));
+    n = seen.turned ? glint_turned(p.bsdf, n) : n;
+    vec3 average = vec3(p.bsdf.slot_j.x);
+    return coupled_diffuse(gltf_diffuse_color(p.bsdf), vec3(seen.through), average, average) *
+           PI * sample_sky_irradiance(world_from_local(p.frame, n));
+}
+
+// Light from all sides, wo_local not inside of a solid body: facets reflect it as the sum of
+// slope_light, the base is matte, and what is sent through is the mean of all sides.
+vec3 slopes_lit_by_sky(IN(ShadingPoint) p, vec3 wo_local) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    if (glint_is_black(p.bsdf, wo_local)) { return vec3(0.0f); }
+    GlintView seen = glint_view(p.bsdf, wo_local);
+    uint masking = glint_masking(p.bsdf) == GLINT_MASKING_SMITH ? SLOPE_MASKING_SMITH
+                                                                : SLOPE_MASKING_V_CAVITY;
+    uint n = local.sky_nodes;
+    vec3 sum = vec3(0.0f);
+    for (uint i = 0u; i < n * n; ++i) {
+        SlopeLight facet = slope_light(seen.g.slopes, seen.o, n, i, masking);
+        if (!(facet.weight > 0.0f)) { continue; }
+        float cos_h = dot(seen.o, facet.wm);
+        GltfFresnel f = glint_fresnel(p.bsdf, cos_h, glint_cos_behind(p.bsdf, cos_h, seen.eta),
+                                      seen.eta);
+        vec3 wi = seen.turned ? glint_turned(p.bsdf, facet.wi) : facet.wi;
+        vec3 sky = sky_of_facet(p, wi, facet.solid_angle);
+        sum += (f.reflected * sky + f.transmitted * local.sky_mean) * facet.weight;
+    }
+    return seen.has_base ? sum + base_lit_by_sky(p, seen) : sum;
+}
+
+// The same for any surface; those without slopes as if they were matte with their albedo.
+vec3 lit_by_sky(IN(ShadingPoint) p, vec3 wo_local, vec3 albedo) {
+    if (p.bsdf.model == MODEL_GLINT) {
+        bool inside = p.bsdf.thin == 0u && slope_facing(glint_mean(p.bsdf), wo_local) < 0.0f;
+        return inside ? albedo * load_local_lighting().sky_mean : slopes_lit_by_sky(p, wo_local);
+    }
+    vec3 n = side_of(p.bsdf, wo_local) < 0.0f ? -p.frame.n : p.frame.n;
+    return albedo * sample_sky_irradiance(n);
+}
+
+#endif
