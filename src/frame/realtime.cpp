@@ -51,6 +51,7 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, boo
     c.indirect_reuse = uint32_t(plan.indirectReuse);
     c.scene_changed = sceneChanged;
     c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
+    c.sea = motion_.sea();
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
 #define X(name, initial, minimum, maximum, text) c.name = plan.parameters.name;
 #include "shared/denoiser_parameters.def"

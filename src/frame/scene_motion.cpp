@@ -48,7 +48,21 @@ void SceneMotion::compare(const Scene& scene, const LightTable& lights) {
         positions_[i] = positions;
         currentOfPrevious_[index] = i;
     }
+    compareSea(scene);
     compareLights(scene, lights);
+}
+
+void SceneMotion::compareSea(const Scene& scene) {
+    sea_ = {};
+    sea_.instance = NO_INDEX;
+    if (!scene.sea) return;
+    const Sea& sea = *scene.sea;
+    for (uint32_t i = 0; i < scene.instances.size(); ++i)
+        if (scene.instances[i] == sea.instance() && instances_[i].index != NO_INDEX)
+            sea_.instance = i;
+    sea_.sectors = sea.grid().sectors, sea_.rings = sea.grid().rings;
+    sea_.centre = sea.placed().centre, sea_.height = sea.placed().height;
+    sea_.previous_centre = pastSea_.centre, sea_.previous_height = pastSea_.height;
 }
 
 // Most frames have the lights of the last one in the same order, whatever else changed of them.
@@ -118,6 +132,7 @@ void SceneMotion::rememberLights(const Scene& scene, const LightTable& lights) {
 
 void SceneMotion::remember(const Scene& scene, const LightTable& lights) {
     rememberLights(scene, lights);
+    if (scene.sea) pastSea_ = scene.sea->placed();
     past_.clear(), byId_.clear(), byObject_.clear();
     past_.reserve(scene.instances.size());
     for (auto& [mesh, vertices] : vertices_) vertices.used = false;

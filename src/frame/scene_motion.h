@@ -8,6 +8,7 @@
 
 #include "scene/light_table.h"
 #include "scene/scene.h"
+#include "scene/sea.h"
 #include "shared/realtime_structs.h"
 #include "shared/scene_structs.h"
 
@@ -30,7 +31,12 @@ public:
     // The same for the numbers of lights; emissive triangles go with their instances.
     const std::vector<uint32_t>& currentLightOfPrevious() const { return currentLight_; }
 
+    // The sea's triangles; its instance is NO_INDEX where nothing is known of before.
+    const shared::SeaMotion& sea() const { return sea_; }
+
 private:
+    void compareSea(const Scene& scene);
+
     struct PastLight {
         std::shared_ptr<const Light> light;        // null: a triangle
         uint64_t id = 0;
@@ -65,6 +71,8 @@ private:
     std::vector<shared::PreviousInstance> instances_;
     std::vector<const glm::vec3*> positions_;
     std::vector<uint32_t> currentOfPrevious_, currentLight_;
+    SeaPlace pastSea_;
+    shared::SeaMotion sea_{};
 };
 
 }  // namespace gp

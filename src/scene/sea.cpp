@@ -114,8 +114,8 @@ bool Sea::place(const Camera& camera, bool motion) {
     const glm::vec3 eye = parallel ? camera.target : camera.position;
     const float above = eye.y - settings_.level;
     Placement now;
-    now.centre = {eye.x, -eye.z};
-    now.height = seaGridHeight(
+    now.place.centre = {eye.x, -eye.z};
+    now.place.height = seaGridHeight(
         parallel ? std::max(std::abs(above), parallelViewHeights * camera.orthographicHeight)
                  : above);
     now.time = times_;
@@ -132,20 +132,20 @@ void Sea::fill(const Placement& now, bool motion) {
     } else {
         pastShape_ = shape_;
     }
-    const std::vector<glm::vec2> points = seaGridPoints(grid_, now.height);
+    const std::vector<glm::vec2> points = seaGridPoints(grid_, now.place.height);
     const size_t count = points.size();
     // One more: Embree reads 16 bytes of each.
     std::vector<glm::vec3> positions(count + 1), before(motion ? count + 1 : 0);
     std::vector<ShadingVertex> vertices(count);
-    displace(grid_, points, now.centre, now.height, settings_.level, shape_, positions.data());
+    const auto [centre, height] = now.place;
+    displace(grid_, points, centre, height, settings_.level, shape_, positions.data());
     if (motion)
-        displace(grid_, points, now.centre, now.height, settings_.level, pastShape_,
-                 before.data());
+        displace(grid_, points, centre, height, settings_.level, pastShape_, before.data());
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
         const uint32_t columns = grid_.lattice().columns;
         const glm::vec3 normal = normalAt(grid_, positions.data(), uint32_t(i / columns),
                                           uint32_t(i % columns));
-        vertices[i] = {shading::octahedral_encode(normal), 0, now.centre + points[i]};
+        vertices[i] = {shading::octahedral_encode(normal), 0, now.place.centre + points[i]};
     });
     if (mesh_->triangles.empty()) {
         mesh_->lattice = grid_.lattice();

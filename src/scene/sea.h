@@ -37,6 +37,13 @@ struct SeaPoint {
     float foam = 0;
 };
 
+// Where the triangles are: around `centre` (x, y of the sea's frame), for a viewer of this height.
+struct SeaPlace {
+    glm::vec2 centre{0};
+    float height = 0;
+    bool operator==(const SeaPlace&) const = default;
+};
+
 class Sea {
 public:
     // Settings must be without fault. Throws std::bad_alloc.
@@ -55,11 +62,12 @@ public:
     const SeaSettings& settings() const { return settings_; }
     const Ocean& ocean() const { return ocean_; }
     const std::shared_ptr<Instance>& instance() const { return instance_; }
+    const SeaGrid& grid() const { return grid_; }
+    const SeaPlace& placed() const { return placed_.place; }
 
 private:
     struct Placement {
-        glm::vec2 centre{0};        // of the grid, in the sea's frame
-        float height = 0;           // that it is made for
+        SeaPlace place;
         uint64_t time = 0;          // as times_
         bool operator==(const Placement&) const = default;
     };

@@ -4,27 +4,23 @@
 #include <cmath>
 #include <numbers>
 
+#include "shading/lang.h"
+GP_SHADING_BEGIN
+#include "shading/ocean/sea_rings.glsl"
+GP_SHADING_END
+
 namespace gp {
 
-namespace {
-
-// In heights of the viewer. The outermost ring is seen 0.2 mrad below the horizontal, a tenth of a
-// pixel or so; the innermost one lies at the viewer's feet.
-constexpr float innermost = 0.1f, outermost = 5000;
-
-}  // namespace
-
 float SeaGrid::radius(uint32_t ring, float height) const {
-    return innermost * height * std::pow(growth, float(ring));
+    return shading::sea_ring_radius({sectors, rings, growth, height}, ring);
 }
 
 SeaGrid seaGrid(uint32_t sectors) {
     SeaGrid grid;
     grid.sectors = sectors;
-    // As long as wide.
-    grid.growth = 1 + float(2 * std::numbers::pi) / float(sectors);
-    grid.rings =
-        1 + uint32_t(std::ceil(std::log(outermost / innermost) / std::log(grid.growth)));
+    grid.growth = shading::sea_rings_growth(sectors);
+    grid.rings = 1 + uint32_t(std::ceil(std::log(SEA_OUTERMOST_RING / SEA_INNERMOST_RING) /
+                                        std::log(grid.growth)));
     return grid;
 }
 

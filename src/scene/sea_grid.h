@@ -1,6 +1,7 @@
 // The triangles of a sea around a viewer: rings of equal sectors whose radii grow by one factor, so
 // that cells have one shape and one angular size from the viewer's feet to the horizon. There is
-// one topology for ever, and no ring meets a finer one: nothing can crack.
+// one topology for ever, and no ring meets a finer one: nothing can crack. Which triangle is where
+// says shading/ocean/sea_rings.glsl.
 #pragma once
 
 #include <cstdint>

@@ -70,6 +70,7 @@
 #include "shading/ocean/dispersion.glsl"
 #include "shading/ocean/spectrum.glsl"
 #include "shading/ocean/spreading.glsl"
+#include "shading/ocean/sea_rings.glsl"
 #include "shading/glint/glint.glsl"
 #include "shading/glint/counting.glsl"
 #include "shading/glint/zirr.glsl"

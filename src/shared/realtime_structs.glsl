@@ -40,6 +40,19 @@ struct PreviousCorners {
     vec3 p2;
 };
 
+// The rings of the sea's triangles now and in the last frame: they go with the camera, so that
+// their numbers name other places of the water. Middles: (towards +X, towards -Z), metres.
+struct SeaMotion {
+    vec2 centre;
+    vec2 previous_centre;
+    float height;            // of the viewer that they are made for
+    float previous_height;
+    uint sectors;
+    uint rings;
+    uint instance;           // of this frame; NO_INDEX: no sea, or one that was not there
+    uint pad0;
+};
+
 // gp::RealtimePlan and what a frame knows of the one before.
 struct RealtimeConstants {
     ivec2 size;              // of rays and denoising
@@ -56,6 +69,8 @@ struct RealtimeConstants {
     uint relights;           // 1: a denoiser has run over the indirect light
     uint indirect_reuse;     // LIGHT_REUSE_
     uint scene_changed;      // 1: something is not as it was in the last frame
+    uint pad0;
+    SeaMotion sea;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"
 #undef X

@@ -10,5 +10,6 @@ using namespace glm;
 #include "shared/realtime_structs.glsl"
 
 static_assert(offsetof(RealtimeConstants, frame_index) == 24);
-static_assert(offsetof(RealtimeConstants, direct_history_frames) == 68);
+static_assert(sizeof(SeaMotion) == 40 && offsetof(RealtimeConstants, sea) == 72);
+static_assert(offsetof(RealtimeConstants, direct_history_frames) == 112);
 }  // namespace gp::shared

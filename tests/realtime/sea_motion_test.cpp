@@ -1,4 +1,5 @@
-// The sea goes with the camera, and yet its motion vectors are those of the water.
+// The triangles of the sea go with the camera, and yet motion vectors, gradients and histories are
+// those of the water.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -53,12 +54,18 @@ struct SeaScene {
         v.mode = GP_MODE_REALTIME;
         return v;
     }
-    std::vector<glm::vec4> motion(const View& view) {
+    void render(const View& view) {
         const GpCameraDesc camera = view.desc();
         stage.check(gpRender(frame, stage.scene, &camera, &options));
+    }
+    std::vector<glm::vec4> layer(const char* name) {
         std::vector<glm::vec4> pixels(width * height);
-        stage.check(gpReadFrameLayer(frame, "motion", &pixels[0].x, pixels.size() * 16));
+        stage.check(gpReadFrameLayer(frame, name, &pixels[0].x, pixels.size() * 16));
         return pixels;
+    }
+    std::vector<glm::vec4> motion(const View& view) {
+        render(view);
+        return layer("motion");
     }
 };
 
@@ -105,6 +112,44 @@ TEST(SeaMotion, WavesMoveAndAreKnown) {
     }
     EXPECT_GT(sum / (10 * width), 0.05);  // pixels; a tenth of a second of metre-high waves
     EXPECT_LT(rest / (10 * width), 0.01);
+}
+
+// The water of the lower half of the picture after some frames of A-SVGF.
+struct Remembered {
+    double frames = 0;  // of specular light
+    double change = 0;  // of it, as gradients say
+};
+
+Remembered after(int frames, glm::dvec3 step) {
+    GpOceanDesc desc{};
+    desc.resolution = 64;
+    SeaScene sea(desc);
+    sea.options.realtime.denoiser = GP_DENOISER_ASVGF;
+    View view;
+    for (int i = 0; i < frames; ++i) {
+        sea.render(view);
+        view.position += step;
+    }
+    const auto length = sea.layer("history_length"), gradient = sea.layer("gradient");
+    Remembered mean;
+    const size_t first = width * (height / 2);
+    for (size_t i = first; i < length.size(); ++i) {
+        mean.frames += 255 * double(length[i].y) / double(length.size() - first);
+        mean.change += double(gradient[i].z) / double(length.size() - first);
+    }
+    return mean;
+}
+
+// Without waves that move nothing changes but the view, and that by little.
+TEST(SeaMotion, HistoriesLastUnderAMovingCamera) {
+    constexpr int frames = 12;
+    const Remembered still = after(frames, {0, 0, 0});
+    EXPECT_GT(still.frames, 0.85 * frames);
+    for (const glm::dvec3 step : {glm::dvec3(0.02, 0, -0.03), glm::dvec3(0, 0.03, 0)}) {
+        const Remembered moving = after(frames, step);
+        EXPECT_GT(moving.frames, 0.6 * still.frames);
+        EXPECT_LT(moving.change, 0.05);
+    }
 }
 
 }  // namespace

@@ -6,12 +6,11 @@
 
 #include "backend/cpu/cpu_backend.h"
 #include "backend/cpu/cpu_scene.h"
-#include "shading/shading.h"
 
 namespace gp::cpu {
 namespace {
 
-using shading::Hit;
+using shared::Hit;
 
 #include "backend/cpu/lattice_hit.h"
 

@@ -72,9 +72,10 @@ IndirectReservoir past_indirect_reservoir(ivec2 past) {
     IndirectReservoir r;
     r.light = reservoir_now(reservoir_unpack(load_previous_indirect_reservoir(past),
                                              load_previous_indirect_reservoir_weight(past)));
-    r.hit = load_previous_indirect_reservoir_hit(past);
-    r.barycentrics = load_previous_indirect_reservoir_barycentrics(past);
-    if (r.hit.x != NO_INDEX) { r.hit.x = load_current_instance(r.hit.x); }
+    Hit hit = hit_of_past(load_previous_indirect_reservoir_hit(past),
+                          load_previous_indirect_reservoir_barycentrics(past));
+    r.hit = uvec2(hit.instance, hit.primitive);
+    r.barycentrics = pack_barycentrics(hit.u, hit.v);
     if (r.hit.x == NO_INDEX || r.light.light == NO_INDEX) { r.light.weight = 0.0f; }
     return r;
 }
@@ -106,9 +107,7 @@ struct IndirectNeighbours {
 // finds would have to stand for many. `there`: where the find is.
 bool too_unlike(IN(IndirectPath) path, vec3 there, ivec2 past) {
     float limit = load_realtime().indirect_reuse_ratio;
-    Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
-    if (hit.instance >= HIT_LIGHT) { return true; }
-    hit.instance = load_current_instance(hit.instance);
+    Hit hit = hit_of_past(load_previous_hit(past), load_previous_barycentrics(past));
     if (hit.instance == NO_INDEX) { return true; }
     vec3 to = there - surface_position(hit);
     float distance = max(length(to), 1.0e-30f);

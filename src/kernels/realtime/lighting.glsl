@@ -249,7 +249,11 @@ void realtime_light(ivec2 pixel) {
     } else {
         at = load_pixel_surface(pixel, draws, m.mirrors);
     }
-    store_pixel_light(pixel, pixel_light(pixel, past, at, draws));
+    PixelLight light = pixel_light(pixel, past, at, draws);
+    // Waves turn the mirror from pixel to pixel: what tells their reflections apart is on the water
+    // and goes with it, as the image in a mirror so strongly curved lies close behind it.
+    if ((at.p.flags & MATERIAL_SEA) != 0u) { light.specular_distance = 0.0f; }
+    store_pixel_light(pixel, light);
 }
 
 #endif

@@ -1,9 +1,10 @@
 // The surface that a pixel shows, read back from the G-buffer.
 // Resources: load_… of the G-buffer, load_previous_hit, load_previous_barycentrics,
-// load_previous_depth, and those of primary.glsl.
+// load_previous_depth, load_current_instance, and those of primary.glsl.
 #ifndef GP_KERNELS_REALTIME_PIXEL_SURFACE_GLSL
 #define GP_KERNELS_REALTIME_PIXEL_SURFACE_GLSL
 #include "kernels/realtime/primary.glsl"
+#include "shading/ocean/sea_rings.glsl"
 
 struct PixelSurface {
     Surface s;
@@ -29,6 +30,30 @@ Hit hit_of_pixel(uvec2 shown, uint barycentrics) {
     hit.v = bary.y;
     hit.instance = shown.x;
     hit.primitive = shown.y;
+    return hit;
+}
+
+// The same for what a pixel of the last frame showed or kept, in the numbers of this frame;
+// instance NO_INDEX: it is not there any more. What is known of the sea belongs to a place of the
+// water, which lies on other triangles once the camera has moved.
+Hit hit_of_past(uvec2 shown, uint barycentrics) {
+    Hit hit = hit_of_pixel(shown, barycentrics);
+    hit.instance = hit.instance < HIT_LIGHT ? load_current_instance(hit.instance) : NO_INDEX;
+    LET_REF(SeaMotion) sea = load_realtime().sea;
+    bool moved = sea.centre != sea.previous_centre || sea.height != sea.previous_height;
+    if (hit.instance == NO_INDEX || hit.instance != sea.instance || !moved) { return hit; }
+    SeaRings rings;
+    rings.sectors = sea.sectors;
+    rings.rings = sea.rings;
+    rings.growth = sea_rings_growth(sea.sectors);
+    rings.height = sea.previous_height;
+    vec2 place = sea_place_of_triangle(rings, hit.primitive, hit.u, hit.v);
+    rings.height = sea.height;
+    SeaTriangle now = sea_triangle_at(rings, place + (sea.previous_centre - sea.centre));
+    hit.primitive = now.number;
+    hit.u = now.u;
+    hit.v = now.v;
+    hit.instance = now.exists != 0u ? hit.instance : NO_INDEX;
     return hit;
 }
 
@@ -75,11 +100,9 @@ PixelSurface load_pixel_surface(ivec2 pixel, IN(Sampler) primary_draws, uint mir
 // `depth`, `u_lod` as in pixel_surface.
 PixelSurface past_surface_at(ivec2 past, float depth, float u_lod) {
     LET_REF(CameraParams) camera = load_camera();
-    Hit hit = hit_of_pixel(load_previous_hit(past), load_previous_barycentrics(past));
+    Hit hit = hit_of_past(load_previous_hit(past), load_previous_barycentrics(past));
     PixelSurface at;
     at.exists = 0u;
-    if (hit.instance >= HIT_LIGHT) { return at; }
-    hit.instance = load_current_instance(hit.instance);
     if (hit.instance == NO_INDEX) { return at; }
     vec3 position = surface_position(hit);
     vec3 wo = camera.kind == CAMERA_ORTHOGRAPHIC ? -camera.forward
