@@ -43,6 +43,9 @@ void checkSheet(const RenderSettings& settings) {
     if (!settings.jsonPath.empty()) {
         throw UsageError("--json: only for a single picture");
     }
+    if (settings.save.alpha != 0) {
+        throw UsageError("--alpha: only for a single picture");
+    }
 }
 
 int renderSheet(GpDevice device, GpScene scene, const GpCameraDesc& camera,

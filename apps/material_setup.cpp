@@ -51,6 +51,43 @@ Material newMaterial(GpDevice device, const MaterialWord& word) {
     return material;
 }
 
+// A preset is its colours and its widths; of a model by its name those of the file are kept, but
+// for what the word sets itself.
+std::uint32_t mapsToKeep(GpDevice device, const ModelWord& word) {
+    std::uint32_t keep = GP_MAP_ALL;
+    bool isModel = false;
+    for (const auto& model : describeModels(device)) {
+        isModel = isModel || model.at("name") == word.name;
+    }
+    if (!isModel) {
+        keep &= ~std::uint32_t{GP_MAP_BASE_COLOR | GP_MAP_ROUGHNESS | GP_MAP_METALLIC};
+    }
+    for (const auto& [name, value] : word.parameters) {
+        if (name == "base_color") {
+            keep &= ~std::uint32_t{GP_MAP_BASE_COLOR};
+        }
+        if (name == "roughness" || name == "alpha_x" || name == "alpha_y") {
+            keep &= ~std::uint32_t{GP_MAP_ROUGHNESS};
+        }
+    }
+    return keep;
+}
+
+std::string mapNames(std::uint32_t maps) {
+    const std::pair<std::uint32_t, const char*> names[] = {
+        {GP_MAP_BASE_COLOR, "base colour"}, {GP_MAP_NORMAL, "normals"},
+        {GP_MAP_SLOPES, "slope maps"},      {GP_MAP_ALPHA, "alpha"},
+        {GP_MAP_EMISSION, "emission"},      {GP_MAP_ROUGHNESS, "roughness"},
+        {GP_MAP_METALLIC, "metal"},         {GP_MAP_OTHERS, "other textures"}};
+    std::string text;
+    for (const auto& [map, name] : names) {
+        if ((maps & map) != 0) {
+            text += (text.empty() ? "" : ", ") + std::string(name);
+        }
+    }
+    return text.empty() ? "nothing" : text;
+}
+
 [[noreturn]] void failUnknown(GpDevice device, GpScene scene, const std::string& name) {
     std::vector<std::string> names;
     for (const auto& material : describeScene(device, scene).at("materials")) {
@@ -64,7 +101,9 @@ Material newMaterial(GpDevice device, const MaterialWord& word) {
 
 }  // namespace
 
-void replaceMaterials(GpDevice device, GpScene scene, const std::vector<std::string>& words) {
+std::vector<std::string> replaceMaterials(GpDevice device, GpScene scene,
+                                          const std::vector<std::string>& words) {
+    std::vector<std::string> notes;
     for (const std::string& text : words) {
         const MaterialWord word = parseMaterialWord(text);
         Material material;
@@ -73,13 +112,19 @@ void replaceMaterials(GpDevice device, GpScene scene, const std::vector<std::str
         } catch (const RunError& error) {
             throw UsageError(fmt::format("--material {}: {}", text, error.what()));
         }
-        std::uint32_t replaced = 0;
-        check(device, gpReplaceMaterial(scene, word.all ? nullptr : word.name.c_str(),
-                                        material.get(), &replaced));
-        if (replaced == 0 && !word.all) {
+        GpReplacedMaterials replaced{};
+        check(device, gpReplaceMaterialModel(scene, word.all ? nullptr : word.name.c_str(),
+                                             material.get(), mapsToKeep(device, word.model),
+                                             &replaced));
+        if (replaced.instances == 0 && !word.all) {
             failUnknown(device, scene, word.name);
         }
+        if ((replaced.kept | replaced.left) != 0) {
+            notes.push_back(fmt::format("--material {}: of the file {} kept, {} left out", text,
+                                        mapNames(replaced.kept), mapNames(replaced.left)));
+        }
     }
+    return notes;
 }
 
 }  // namespace gp::tool

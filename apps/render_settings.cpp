@@ -181,6 +181,11 @@ void addPictureOptions(CLI::App& app, RenderSettings& s) {
                 s.options.tonemap = parseChoice("--tonemap", word, choices);
                 s.tonemapGiven = true;
             })->group(group);
+    app.add_flag_callback("--alpha", [&s] {
+        s.save.alpha = 1;
+        s.options.hideBackground = 1;
+    }, "Leave out what is seen behind surfaces, which lights them all the same: PNG with alpha and "
+       "straight colours, EXR with premultiplied ones")->group(group);
     addWord(app, "--aov", "LIST|all",
             "EXR: further layers, with commas between them: albedo, normal, depth, emission, "
             "direct, indirect, roughness, variance, instance",
@@ -221,7 +226,8 @@ void addSceneOptions(CLI::App& app, RenderSettings& s) {
     addSceneChoice(app, s.load);
     app.add_option("--material", s.materials,
                    "Replace materials of the file, NAME or all, by a model, a preset or a measured "
-                   "file; may be repeated. MODEL as in `glitterpath brdf plot --help`")
+                   "file; may be repeated. Maps of the file stay where MODEL has a use for them. "
+                   "MODEL as in `glitterpath brdf plot --help`")
         ->type_name("[NAME=]MODEL[:K=V,...]")
         ->group("Content of the file")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -277,6 +283,12 @@ void checkPictureSettings(const RenderSettings& s, PictureFormat format) {
     }
     if (s.save.fullFloat != 0 && format != PictureFormat::exr) {
         throw UsageError("--full-float: only .exr files hold floats of two sizes");
+    }
+    if (s.save.alpha != 0 && format == PictureFormat::hdr) {
+        throw UsageError("--alpha: .hdr files have none; use .png or .exr");
+    }
+    if (s.save.alpha != 0 && format == PictureFormat::page) {
+        throw UsageError("--alpha: only for files of pictures, .png and .exr");
     }
 }
 

@@ -17,7 +17,8 @@ class App;
 
 namespace gp::tool {
 
-enum class PictureFormat { png, exr, hdr };
+// page: what holds opaque pictures, a video or a sheet of several.
+enum class PictureFormat { png, exr, hdr, page };
 
 struct SunSettings {
     double azimuthDeg = 0;    // from -Z towards +X

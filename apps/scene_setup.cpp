@@ -118,7 +118,7 @@ SceneSetup setUpScene(GpDevice device, const RenderSettings& settings) {
     setup.scene = newScene(device);
     check(device,
           gpLoadSceneFile(setup.scene.get(), settings.scenePath.c_str(), &settings.load));
-    replaceMaterials(device, setup.scene.get(), settings.materials);
+    setup.notes = replaceMaterials(device, setup.scene.get(), settings.materials);
     addLight(device, settings, setup);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     setup.secondsLoad = taken.count();

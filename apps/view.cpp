@@ -73,6 +73,8 @@ void checkSeaSettings(const CLI::App& app, ViewSettings& s) {
         if (s.isSeaAlone()) {
             throw UsageError("SCENE is required, a .gltf or .glb file, or --ocean");
         }
+    } else {
+        s.choices.realtime.bounces = 2;  // waves show in waves: the library's default with a sea
     }
     for (const char* name : kSeaCameraOptions) {
         if (app.count(name) > 0 && !s.isSeaAlone()) {

@@ -73,6 +73,8 @@ std::vector<Input> makeInputs(const Shape& shape) {
 using P22 = float (*)(const Glint&, vec2);
 
 float smooth_p22(const Glint& g, vec2 s) { return slopes_p22(g.slopes, s); }
+float counting_p22(const Glint& g, vec2 s) { return glint_counting(g, s).p22; }
+float zirr_p22(const Glint& g, vec2 s) { return glint_zirr(g, s).p22; }
 
 template <P22 p22>
 float shade(const Input& in) {
@@ -126,8 +128,8 @@ int main(int argc, char** argv) {
         };
         add("smooth", shader<smooth_p22>);
         add("dictionary", shader<glint_p22>);
-        add("counting", shader<glint_counting_p22>);
-        add("zirr", shader<glint_zirr_p22>);
+        add("counting", shader<counting_p22>);
+        add("zirr", shader<zirr_p22>);
         add("sample", sampler);
     }
     benchmark::RunSpecifiedBenchmarks();

@@ -38,7 +38,7 @@ class Steps {
 public:
     explicit Steps(const OceanSettings& settings)
         : kernels_(waveKernels()), plan_(kernels_.newPlan(settings.size), kernels_.freePlan) {
-        for (uint32_t i = 0; i < settings.cascades; ++i) cascades_.emplace_back(settings, i, 0.1f);
+        for (uint32_t i = 0; i < settings.cascades; ++i) cascades_.emplace_back(settings, i);
     }
 
     void run(double seconds, Parts& parts) {

@@ -248,6 +248,23 @@ def water_part(results):
         ["frame", "water", "all threads", "wall"], rows)
 
 
+def sea_part(results):
+    if not results.get("sea"):
+        return []
+    r = results["sea"]
+    rows = [[name, *(f"{c[k]['value']:.4f}" for k in ("rmse", "flip", "flicker")),
+             f"{c['specular_frames']['value']:.1f}", f"{c['change']['value']:.3f}",
+             number(c["lighting"], 0)] for name, c in r["cases"].items()]
+    return ["## The sea in real time", "",
+            f"{r['size'][0]} x {r['size'][1]}, one path a pixel, the last {r['last']} of",
+            f"{r['frames']} frames against {r['samples']} paths a pixel: errors of the picture as",
+            "it is shown, how they flicker, frames of specular history, change that gradients",
+            "see, and milliseconds of the lighting pass by the wall's clock.",
+            f"{r['machine']['date']}, load average "
+            f"{r['machine']['load_average_at_start'][0]:.2f}.", ""] + table(
+        ["what moves", "RMSE", "FLIP", "flicker", "history", "change", "lighting"], rows)
+
+
 def ocean_part(results):
     if not results.get("ocean"):
         return []
@@ -292,6 +309,6 @@ def markdown(results):
     lines += ["## Targets", ""]
     lines += table(["what", "target", "reached", "met"], target_rows(results))
     for part in (rays_part, cycles_part, diffuse_part, build_part, scaling_part, memory_part,
-                 models_part, realtime_part, ocean_part, glint_part, water_part):
+                 models_part, realtime_part, ocean_part, glint_part, water_part, sea_part):
         lines += part(results)
     return "\n".join(lines)

@@ -4,7 +4,7 @@
 (a) rays a second against bare Embree over the same rays   (b) seconds against Cycles
 (c) build times   (d) scaling over threads   (e) peak memory   (f) reflectance models
 (g) real-time frames, pass by pass   (h) the sea, part by part, and frames of it
-(i) glints by method and footprint
+(i) glints by method and footprint   (j) the sea in real time against references
 Writes results.json and results.md beside this file (or to --output FOLDER).
 """
 import argparse
@@ -18,6 +18,7 @@ import report
 from glint import glint
 from models import models
 from ocean import ocean
+from sea import sea
 from water import water
 from realtime import changing, realtime
 from cycles import cycles_is_here, cycles_seconds
@@ -204,9 +205,10 @@ def arguments():
     parser.add_argument("--quick", action="store_true", help="fewer samples, one round")
     parser.add_argument("--scenes", default="", help="only these, with commas between them")
     parser.add_argument("--no-cycles", action="store_true", help="do not run Blender")
-    parser.add_argument("--only", choices=["bsdf", "realtime", "ocean", "glint", "water"],
+    parser.add_argument("--only", choices=["bsdf", "realtime", "ocean", "glint", "water", "sea"],
                         help="measure the reflectance models, real-time frames, the sea, "
-                             "glints, or frames of water, alone; the rest of results.json stays")
+                             "glints, frames of water, or the sea in real time, alone; the rest "
+                             "of results.json stays")
     parser.add_argument("--build", default="build/release", help="build tree (default %(default)s)")
     parser.add_argument("--output", default=os.path.dirname(os.path.abspath(__file__)),
                         help="folder for results.json and results.md (default bench/)")
@@ -251,6 +253,7 @@ def measure(programs, args, folder):
     results["ocean"] = ocean(args.build, args.quick)
     results["glint"] = glint(args.build, args.quick)
     results["water"] = water(args.build, args.quick)
+    results["sea"] = sea(args.build, args.quick)
     return results
 
 
@@ -275,6 +278,8 @@ def with_section_again(args, folder):
         results["ocean"] = ocean(args.build, args.quick)
     elif args.only == "water":
         results["water"] = water(args.build, args.quick)
+    elif args.only == "sea":
+        results["sea"] = sea(args.build, args.quick)
     elif args.only == "glint":
         results["glint"] = glint(args.build, args.quick)
         if results["glint"] is None:

@@ -1,7 +1,7 @@
 // gp_bench_sea: how far the sea of GP_MODE_REALTIME is from the path-traced one, through the public
 // interface: with waves and camera that stand or move, with and without glints. Prints a table for
-// docs/water.md: errors of the picture as it is shown, how they flicker, and how many frames
-// the histories of the water have.
+// docs/water.md: errors of the picture as it is shown, how they flicker, how many frames the
+// histories of the water have, and what its light costs; or the same as JSON, for bench/sea.py.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +18,7 @@
 #include "metrics/color.h"
 #include "metrics/noisy_reference.h"
 #include "metrics/temporal.h"
+#include "spread.h"
 
 namespace gp::bench {
 namespace {
@@ -33,8 +34,9 @@ constexpr float kCentreRadius = 1e-4f;
 
 struct Settings {
     uint32_t width = 192, height = 108, frames = 24, last = 4, samples = 32;
-    double ev = -4.2;
+    double ev = -4.2, elevation = 20;
     std::string references, pictures, tune, only;
+    bool json = false;
 };
 
 struct Case {
@@ -68,6 +70,7 @@ struct Histories {
 struct Quality {
     double mse = 0, flip = 0, flicker = 0;
     Histories histories;
+    Spread lighting;  // milliseconds of that pass, by the wall's clock
 };
 
 class SeaQuality {
@@ -84,7 +87,7 @@ public:
         GpOceanDesc sea{};
         sea.glints = c.glints;
         check(device_, gpSetOcean(scene, &sea));
-        check(device_, gpSetSky(scene, 0, float(20 * kDegree), 0));
+        check(device_, gpSetSky(scene, 0, float(s_.elevation * kDegree), 0));
         const GpFrameDesc realtime{s_.width, s_.height, GP_MODE_REALTIME};
         const GpFrameDesc path{s_.width, s_.height, GP_MODE_REFERENCE};
         const GpFrame frame = made(device_, gpNewFrame(device_, &realtime));
@@ -98,6 +101,7 @@ public:
             const GpCameraDesc camera = cameraOf(c, seconds);
             GpRenderOptions o = options();
             check(device_, gpRender(frame, scene, &camera, &o));
+            if (i > 0) q.lighting.add(lightingOf(frame));
             if (i + s_.last < s_.frames) continue;
             const Picture shown = shownBy(frame);
             const ReferencePair pair = referenceOf(reference, scene, camera, number, i);
@@ -153,11 +157,20 @@ private:
         return pixels;
     }
 
+    double lightingOf(GpFrame frame) {
+        GpPassTime times[64];
+        uint32_t count = 0;
+        check(device_, gpGetPassTimes(frame, times, 64, &count));
+        for (uint32_t i = 0; i < count; ++i)
+            if (std::string("lighting") == times[i].name) return times[i].milliseconds;
+        throw std::runtime_error("the frame has no pass \"lighting\"");
+    }
+
     // References are the same for every build of the library: a folder keeps them.
     ReferencePair referenceOf(GpFrame frame, GpScene scene, const GpCameraDesc& camera, int number,
                               uint32_t i) {
-        const std::string name = fmt::format("{}/sea-{}-{}-{}x{}-{}.bin", s_.references, number, i,
-                                             s_.width, s_.height, s_.samples);
+        const std::string name = fmt::format("{}/sea-{}-{}-{}x{}-{}-{}.bin", s_.references, number,
+                                             i, s_.width, s_.height, s_.samples, s_.elevation);
         ReferencePair pair{Picture(int(s_.width), int(s_.height)),
                            Picture(int(s_.width), int(s_.height))};
         const auto bytes = std::streamsize(pair.a.pixels.size() * sizeof(glm::vec3));
@@ -240,6 +253,29 @@ private:
     Plane depth_;
 };
 
+void printHead() {
+    std::cout << "| what moves | RMSE | FLIP | flicker | frames: direct | specular | change "
+                 "| lighting, ms |\n|---|---|---|---|---|---|---|---|\n";
+}
+
+void printRow(const char* name, const Quality& q) {
+    std::cout << fmt::format("| {} | {:.4f} | {:.4f} | {:.4f} | {:.1f} | {:.1f} | {:.4f} "
+                             "| {:.1f} |\n",
+                             name, metrics::rootOf(q.mse), q.flip, metrics::rootOf(q.flicker),
+                             q.histories.direct, q.histories.specular, q.histories.change,
+                             median(q.lighting.values))
+              << std::flush;
+}
+
+nlohmann::ordered_json jsonOf(const Quality& q) {
+    return {{"rmse", metrics::rootOf(q.mse)},
+            {"flip", q.flip},
+            {"flicker", metrics::rootOf(q.flicker)},
+            {"specular_frames", q.histories.specular},
+            {"change", q.histories.change},
+            {"lighting_ms", q.lighting.json()}};
+}
+
 }  // namespace
 }  // namespace gp::bench
 
@@ -253,27 +289,28 @@ int main(int argc, char** argv) {
     app.add_option("--last", s.last, "of them, at the end, are measured");
     app.add_option("--spp", s.samples, "paths a pixel of references");
     app.add_option("--ev", s.ev, "exposure");
+    app.add_option("--sun", s.elevation, "degrees above the horizon")->check(CLI::Range(0.0, 90.0));
     app.add_option("--tune", s.tune, "parameters of the denoiser: NAME=VALUE,...");
     app.add_option("--references", s.references, "a folder that keeps the references");
     app.add_option("--pictures", s.pictures, "a folder for the last pictures");
     app.add_option("--only", s.only, "digits: numbers of cases");
+    app.add_flag("--json", s.json, "print JSON");
     CLI11_PARSE(app, argc, argv);
     try {
         if (s.last == 0 || s.last > s.frames) throw std::runtime_error("--last: 1 to --frames");
         if (!s.references.empty()) std::filesystem::create_directories(s.references);
         SeaQuality quality(s);
-        std::cout << "| what moves | RMSE | FLIP | flicker | frames: direct | specular | change |\n"
-                     "|---|---|---|---|---|---|---|\n";
+        nlohmann::ordered_json all;
+        if (!s.json) printHead();
         for (int i = 0; i < int(std::size(kCases)); ++i) {
             if (!s.only.empty() && s.only.find(char('0' + i)) == std::string::npos) continue;
             const Quality q = quality.measure(kCases[i], i);
-            std::cout << fmt::format(
-                             "| {} | {:.4f} | {:.4f} | {:.4f} | {:.1f} | {:.1f} | {:.4f} |\n",
-                             kCases[i].name, gp::metrics::rootOf(q.mse), q.flip,
-                             gp::metrics::rootOf(q.flicker), q.histories.direct,
-                             q.histories.specular, q.histories.change)
-                      << std::flush;
+            if (s.json) all["cases"][kCases[i].name] = jsonOf(q);
+            else printRow(kCases[i].name, q);
         }
+        all["size"] = {s.width, s.height}, all["frames"] = s.frames, all["last"] = s.last;
+        all["samples"] = s.samples;
+        if (s.json) std::cout << all.dump(2) << '\n';
     } catch (const std::exception& e) {
         std::cerr << "gp_bench_sea: " << e.what() << '\n';
         return 1;

@@ -61,7 +61,7 @@ void prepare(const CLI::App& app, AnimateSettings& s) {
     checkLightSettings(r);
     checkFrameOutput(r.outputPath, r.size);
     const bool video = isVideo(r.outputPath);
-    checkPictureSettings(r, video ? PictureFormat::png : pictureFormat(r.outputPath));
+    checkPictureSettings(r, video ? PictureFormat::page : pictureFormat(r.outputPath));
     if (s.start >= s.frames) {
         throw UsageError(fmt::format("--start: {} is not below --frames {}", s.start, s.frames));
     }

@@ -85,7 +85,7 @@ void checkEvaluation(EvaluateSettings& s, std::optional<std::uint32_t> off) {
     RenderSettings& r = s.motion.render;
     checkMotion(s.motion);
     checkLightSettings(r);
-    checkPictureSettings(r, PictureFormat::png);
+    checkPictureSettings(r, PictureFormat::page);
     if (!isPage(r.outputPath) && !r.outputPath.ends_with(".json")) {
         throw UsageError(
             fmt::format("--output: '{}' does not end in .html or .json", r.outputPath));

@@ -43,6 +43,10 @@ std::vector<SceneDefinition> sceneTable()
           "a pleated bulb and two spheres under a violet and a red lamp, for lighting models",
           "--mode local --lighting phong --ambient 0.05,0.05,0.05", {}},
          buildThreeObjects},
+        {{"shore",
+          "sand, stones and a mooring post for a sea at y = 0: view --ocean --transparent on",
+          "--sun 115,46", {}},
+         buildShore},
     };
 }
 

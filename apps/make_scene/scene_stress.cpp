@@ -1,5 +1,6 @@
 // As many triangles as asked for: a few rocks, each instanced many times over a plain.
 #include "noise.h"
+#include "rock.h"
 #include "scenes.h"
 #include "shapes.h"
 
@@ -11,21 +12,6 @@ namespace gp::make_scene {
 namespace {
 
 constexpr int shapeCount = 4;  // different rocks; the eye does not count further
-
-Mesh rock(int subdivisions, std::uint32_t seed)
-{
-    Mesh mesh = cubeSphere(subdivisions);
-    const float offset = static_cast<float>(seed) * 17.3f;
-    for (glm::vec3& p : mesh.positions) {
-        const glm::vec3 q = p * 1.3f + offset;
-        const float ridge = 1.0f - std::abs(noise(q * 2.1f, seed));
-        const float radius = 0.72f + 0.55f * fbm(q, 4, seed) + 0.16f * ridge * ridge +
-                             0.03f * fbm(q * 9.0f, 3, seed + 7u);
-        p *= std::max(0.2f, radius) * glm::vec3(1.0f, 0.72f, 0.9f);
-    }
-    mesh.computeSmoothNormals();
-    return mesh;
-}
 
 Instances scatter(int first, int count, float extent, Random& random)
 {

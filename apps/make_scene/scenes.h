@@ -26,5 +26,6 @@ void buildCornell(GlbBuilder& glb, const Parameters& parameters);
 void buildStress(GlbBuilder& glb, const Parameters& parameters);
 void buildClosedSphere(GlbBuilder& glb, const Parameters& parameters);
 void buildThreeObjects(GlbBuilder& glb, const Parameters& parameters);
+void buildShore(GlbBuilder& glb, const Parameters& parameters);
 
 }  // namespace gp::make_scene

@@ -78,9 +78,8 @@ int renderStill(GpDevice device, const OceanSettings& s) {
     if (r.local.mode == GP_MODE_REALTIME) {
         renderRealtime(device, frame.get(), setup.scene.get(), camera, r, report);
     } else {
-        GpLocalLighting local{};
-        local.environmentFacets = r.local.environmentFacets;
-        report.interrupted = !trace(device, frame.get(), setup.scene.get(), camera, r, local);
+        report.interrupted =
+            !trace(device, frame.get(), setup.scene.get(), camera, r, r.options.local);
         check(device, gpGetFrameStatistics(frame.get(), &report.statistics));
     }
     if (report.interrupted && report.statistics.samplesPerPixel == 0) {

@@ -14,6 +14,8 @@ constexpr std::uint32_t kMaxSamples = 1u << 24;
 constexpr std::uint32_t kMaxFrames = 1u << 20;
 // Of a still in real time: histories have grown by then.
 constexpr std::uint32_t kStillFrames = 16;
+// In real time, as the library has it where there is a sea.
+constexpr std::uint32_t kRealtimeBounces = 2;
 
 void addTimeOption(CLI::App& app, OceanSettings& s) {
     addWord(app, "--time", "S", "Seconds: where the waves are; of a moving picture, in its first "
@@ -94,8 +96,8 @@ void addOceanOptions(CLI::App& app, OceanSettings& s) {
     addSkyOptions(app, r);
     addMovingOptions(app, s);
     addWord(app, "--mode", "realtime|reference|local",
-            "realtime: a path or so a pixel, denoised; reference: path-traced; local: a quick "
-            "still without noise, shadows or bounces (default reference, with --frames realtime)",
+            "realtime: a path or so a pixel, denoised; reference: path-traced; local: quick, "
+            "without noise, shadows or bounces (default reference, with --frames realtime)",
             [&s](const std::string& word) {
                 const std::pair<const char*, GpFrameMode> choices[] = {
                     {"realtime", GP_MODE_REALTIME},
@@ -120,7 +122,7 @@ void addOceanOptions(CLI::App& app, OceanSettings& s) {
     addMachineOptions(app, r);
 }
 
-// Of --mode local: the sky is reflected by 16 facets where nothing else was asked for.
+// --mode local: the sky is reflected by 16 facets where nothing else was asked for.
 void checkLocalSea(const CLI::App& app, OceanSettings& s) {
     const bool given = app.count("--environment-light") > 0;
     if (s.picture.mode != GP_MODE_LOCAL) {
@@ -128,9 +130,6 @@ void checkLocalSea(const CLI::App& app, OceanSettings& s) {
             throw UsageError("--environment-light: only with --mode local");
         }
         return;
-    }
-    if (s.moves()) {
-        throw UsageError("--frames: not with --mode local");
     }
     for (const char* name : {"--bounces", "--clamp", "--no-roulette"}) {
         if (app.count(name) > 0) {
@@ -140,6 +139,8 @@ void checkLocalSea(const CLI::App& app, OceanSettings& s) {
     if (!given) {
         s.picture.render.local.environmentFacets = 16;
     }
+    s.picture.render.options.local.environmentFacets =
+        s.picture.render.local.environmentFacets;
 }
 
 void checkOceanSettings(const CLI::App& app, OceanSettings& s) {
@@ -173,10 +174,13 @@ void checkOceanSettings(const CLI::App& app, OceanSettings& s) {
         }
         checkWritable(r.outputPath);
     }
-    checkPictureSettings(r, video ? PictureFormat::png : pictureFormat(r.outputPath));
+    checkPictureSettings(r, video ? PictureFormat::page : pictureFormat(r.outputPath));
     if (s.picture.mode == GP_MODE_REALTIME) {
         if (app.count("--spp") + app.count("--samples") > 0) {
             throw UsageError("--samples: only with --mode reference");
+        }
+        if (app.count("--bounces") == 0) {
+            r.bounces = kRealtimeBounces;
         }
         finishRealtime(r, 1 / s.picture.framesPerSecond);
     } else {

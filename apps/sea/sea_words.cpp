@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <numbers>
 
 #include "parse.h"
+#include "tool_error.h"
 
 namespace gp::tool {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kMetresPerKilometre = 1000;
+constexpr double kStrongestWater = 1000;  // 1/m: ink
 constexpr double kHighestSea = 10000;  // metres: where --camera-height still tells waves apart
 
 // Floats that came from radians or metres: the digits that a person wrote.
@@ -54,6 +57,25 @@ SeaWord countWord(const char* name, const char* help, std::uint32_t GpOceanDesc:
             [=](const GpOceanDesc& sea) {
                 return std::to_string(sea.*field == 0 ? standard : sea.*field);
             }};
+}
+
+SeaWord tripleWord(const char* name, const char* help, const SeaTriple& triple) {
+    return {name, "R,G,B", help, std::nullopt,
+            [triple](GpOceanDesc& sea, const std::string& option, const std::string& word) {
+                const std::array<float, 3> values = parseTriple(option, word);
+                for (const float value : values) {
+                    if (!(value >= 0 && static_cast<double>(value) <= triple.high)) {
+                        throw UsageError(fmt::format("{}: {:g} is not in 0..{:g}", option, value,
+                                                     triple.high));
+                    }
+                }
+                triple.put(sea, values);
+            },
+            [triple](const GpOceanDesc& sea) {
+                const std::array<float, 3> v = triple.of(sea);
+                return fmt::format("{:.6g},{:.6g},{:.6g}", v[0], v[1], v[2]);
+            },
+            triple};
 }
 
 // "deep" is what the library writes as zero.
@@ -104,7 +126,18 @@ std::vector<SeaWord> waveWords() {
                    {&GpOceanDesc::glintDensity, "", 1, 1e12, 1, 1e6}),
         choiceWord("masking", "vcavity|smith",
                    "How waves below a pixel hide one another (default vcavity)",
-                   &GpOceanDesc::masking, kSeaMaskingWords)};
+                   &GpOceanDesc::masking, kSeaMaskingWords),
+        tripleWord("water-absorption",
+                   "What the water absorbs, 1/m, 0..1000 (default 0.27,0.065,0.03: clear sea)",
+                   {&GpOceanDesc::absorption, kStrongestWater, {0.27f, 0.065f, 0.03f},
+                    GP_GIVEN_ABSORPTION}),
+        tripleWord("water-scattering",
+                   "What it scatters back, 1/m, 0..1000; over what it absorbs this is its colour "
+                   "(default 0.0016,0.002,0.003)",
+                   {&GpOceanDesc::scattering, kStrongestWater, {0.0016f, 0.002f, 0.003f},
+                    GP_GIVEN_SCATTERING}),
+        numberWord("water-ior", "N", "Its index of refraction, 1.01..3 (default 1.333)",
+                   {&GpOceanDesc::ior, "", 1.01, 3, 1, 1.333})};
 }
 
 std::vector<SeaWord> inSceneWords() {
@@ -126,6 +159,17 @@ double SeaNumber::of(const GpOceanDesc& sea) const {
 
 void SeaNumber::put(GpOceanDesc& sea, double value) const {
     sea.*field = static_cast<float>(value * siPerUnit);
+    sea.given |= given;
+}
+
+std::array<float, 3> SeaTriple::of(const GpOceanDesc& sea) const {
+    const float* const v = sea.*field;
+    const bool isStandard = (sea.given & given) == 0 && v[0] == 0 && v[1] == 0 && v[2] == 0;
+    return isStandard ? standard : std::array<float, 3>{v[0], v[1], v[2]};
+}
+
+void SeaTriple::put(GpOceanDesc& sea, const std::array<float, 3>& values) const {
+    std::copy(values.begin(), values.end(), sea.*field);
     sea.given |= given;
 }
 

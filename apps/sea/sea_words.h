@@ -3,6 +3,7 @@
 
 #include <glitterpath/glitterpath.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,6 +25,17 @@ struct SeaNumber {
     void put(GpOceanDesc& sea, double value) const;
 };
 
+// Three of them, for red, green and blue: a coefficient of the water, 1/m.
+struct SeaTriple {
+    float (GpOceanDesc::*field)[3] = nullptr;
+    double high = 0;               // from 0
+    std::array<float, 3> standard{};
+    std::uint32_t given = 0;
+
+    std::array<float, 3> of(const GpOceanDesc& sea) const;
+    void put(GpOceanDesc& sea, const std::array<float, 3>& values) const;
+};
+
 struct SeaWord {
     const char* name;              // of the option --NAME, and after `set` in scripts
     const char* type;              // what is written after it, for --help
@@ -32,6 +44,7 @@ struct SeaWord {
     // `option`: how errors call it. Throws UsageError, and has changed nothing then.
     std::function<void(GpOceanDesc& sea, const std::string& option, const std::string& word)> set;
     std::function<std::string(const GpOceanDesc& sea)> get;  // a word that `set` understands
+    std::optional<SeaTriple> triple = std::nullopt;  // where it is one
 };
 
 // Waves and water, in the order of --help.

@@ -376,6 +376,38 @@ GP_API GpError gpSetMaterialFrame(GpMaterial material, uint32_t frame);
 GP_API GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
                                  uint32_t* replaced);
 
+/* What of a material varies over its surface, or belongs to the thing and not to its reflectance:
+ * bits. Textures come with their factors, coordinates and transforms. */
+enum {
+    GP_MAP_BASE_COLOR = 1 << 0, /* baseColor, its texture and textureLayers */
+    GP_MAP_NORMAL = 1 << 1,     /* normalTexture */
+    GP_MAP_SLOPES = 1 << 2,     /* slopeMaps */
+    GP_MAP_ALPHA = 1 << 3,      /* alphaMode, where it is not opaque, and whose alpha it looks at */
+    GP_MAP_EMISSION = 1 << 4,   /* emission with its texture, and doubleSided */
+    GP_MAP_ROUGHNESS = 1 << 5,  /* green of metallicRoughnessTexture */
+    GP_MAP_METALLIC = 1 << 6,   /* its blue */
+    GP_MAP_ALL = (1 << 7) - 1,
+    GP_MAP_OTHERS = 1 << 7      /* the other textures, and masks of layers: only in
+                                   GpReplacedMaterials.left */
+};
+
+typedef struct GpReplacedMaterials {
+    uint32_t instances; /* that have another material now */
+    uint32_t kept;      /* GP_MAP_ bits: what their materials had and still have */
+    uint32_t left;      /* what they had and the new one has no use for, or was not asked for */
+} GpReplacedMaterials;
+
+/* As gpReplaceMaterial, but what `keep` (GP_MAP_ bits) names of each instance's material goes into
+ * a copy of `material` with the old one's name, where it has none of its own and a use for it:
+ * normals, slopes, alpha, emission in any; base colour (times the copy's baseColor, in place of a
+ * model's base_color) where it is read; metal and roughness where it is glTF's own. Roughness also
+ * where it is one set of parameters, without layers, of a model other than glint with `roughness`
+ * (0 to 1), which then is that of the old material, or alpha_x and alpha_y, which are its square:
+ * such parameters are prepared at each point, as under any mask. An animated material is
+ * GP_ERROR_INVALID_ARGUMENT. `replaced` may be NULL. */
+GP_API GpError gpReplaceMaterialModel(GpScene scene, const char* name, GpMaterial material,
+                                      uint32_t keep, GpReplacedMaterials* replaced);
+
 /* ------------------------------------------------------------------------------------ meshes */
 
 typedef enum GpMeshKind {
@@ -621,8 +653,8 @@ typedef struct GpOceanDesc {
     float foam;            /* 0..1: share of what waves that break make; 1 */
     int32_t transparent;   /* 0: nothing below the surface is seen, and what the water sends back
                               is diffuse. Not 0: rays go on into the water, which absorbs, and see
-                              what lies there; beyond it is black. Light finds things below the
-                              surface only by chance: path trace them with many samples */
+                              what lies there; beyond it is black. Sun and sky light it: path
+                              traced through the waves, in real time as if the water were calm */
     GpOceanGlints glints;  /* GP_GLINTS_OFF */
     float glintDensity;    /* facets a square metre of the water at rest, 1..1e12; 0 = 1e6 */
     GpOceanMasking masking;/* GP_MASKING_V_CAVITY */
@@ -639,7 +671,9 @@ typedef struct GpOceanSample {
  * It is a part of the scene that every gpRender places around its camera: flat, without the
  * curvature of the earth, out to 5,000 times the camera's height above it (at least 5 km), where
  * it is 0.2 milliradians below the horizontal. No GpInstance stands for it, and it is not in the
- * bounds of the scene. Frames show it as one more instance, whose motion they know. */
+ * bounds of the scene. Frames show it as one more instance, whose motion they know. A camera below
+ * the surface looks through the water, transparent or not, which absorbs, and out of it; frames of
+ * GP_MODE_LOCAL and of GP_SHADING_DIFFUSE show no water there but its surface. */
 GP_API GpError gpSetOcean(GpScene scene, const GpOceanDesc* desc);
 /* Where the waves are after so many seconds, -1e6..1e6: the same at the same time, whatever time
  * was before. GP_ERROR_INVALID_OPERATION where the scene has no sea. */
@@ -860,8 +894,8 @@ typedef struct GpLocalLighting {
 
 /* GP_MODE_REALTIME: one path a pixel and frame. A pixel has a camera ray that goes on through
  * mirrors and smooth glass, a shadow ray to a directional light, one to another light, and one ray
- * by its material, with options.maxBounces (0 = 1) bounces behind it. Objects are matched with the
- * last frame by the ids of their instances, those without one by their handles; what has moved,
+ * by its material, with options.maxBounces (0 = 1, with a sea 2) bounces behind it. Objects are
+ * matched with the last frame by the ids of instances, or else by handles; what has moved,
  * also through gpUpdateMesh, leaves motion vectors. Cameras are pinholes here: apertureRadius does
  * not count. Of GpRenderOptions samplesPerPixel, timeLimit, noiseTarget, pixelFilter,
  * pixelFilterRadius and accumulate are for other modes. */
@@ -959,6 +993,11 @@ typedef struct GpRenderOptions {
     float skyViewerPosition[3];/* GP_VISIBILITY_SKY is seen from here + skyScale * the camera's */
     float skyScale;            /* position. 0 = a sky that does not move with the camera, 1/16 =
                                   one that was built at a sixteenth of its size */
+    int32_t hideBackground;    /* not 0: camera rays that meet nothing see black. Environment, sky
+                                  geometry and suns light the scene and are seen in mirrors and
+                                  through glass, but not behind it: COLOR is then premultiplied by
+                                  its alpha, as pictures that are laid over others should be. What
+                                  gpDraw draws is seen all the same */
 } GpRenderOptions;
 
 #define GP_NO_BOUNCES (-1)
@@ -980,10 +1019,17 @@ typedef struct GpSaveOptions {
                              .exr: GP_ERROR_INVALID_ARGUMENT with the others */
     int32_t fullFloat;    /* EXR: not 0 = 32-bit floats, else half. DEPTH and INSTANCE layers, which
                              half floats cannot hold, always make it 32-bit */
+    int32_t alpha;        /* PNG: 0 = opaque RGB, as DISPLAY looks: the background is seen, black
+                             where there is none. Not 0 = RGBA: coverage, and colours divided by it
+                             before the tone map, as PNG wants them; whatever is seen behind the
+                             edges of surfaces is in theirs, so render with hideBackground. EXR
+                             always has alpha, with premultiplied colours; .hdr never has:
+                             GP_ERROR_INVALID_ARGUMENT */
 } GpSaveOptions;
 
 /* By the ending of the name: .png (DISPLAY), .exr, .hdr (COLOR). Written under a temporary name
- * and renamed, so that a failure leaves no broken file. options may be NULL. */
+ * and renamed, so that a failure leaves no broken file. options may be NULL. Cost: with alpha, 20
+ * bytes a pixel for the time of the call. */
 GP_API GpError gpSaveFrame(GpFrame frame, const char* path, const GpSaveOptions* options);
 
 typedef struct GpFrameStatistics {
@@ -1013,8 +1059,8 @@ GP_API GpError gpGetPassTimes(GpFrame frame, GpPassTime* times, uint32_t capacit
  * looking into it. Whole numbers are converted to floats, normals and directions to xyz, `hit` to
  * instance and triangle, `material` to roughness, metallic, flags and mirrors. Images with a pixel
  * for each block of 3 x 3 are enlarged. An unknown name is GP_ERROR_INVALID_ARGUMENT, and the
- * message names the nearest known one; an image that the frame's options do not make (reservoirs
- * without light reuse) is GP_ERROR_INVALID_OPERATION.
+ * message names the nearest known one; an image that options (reservoirs without light reuse) or
+ * scene (`sun` without facets under a sun) do not make is GP_ERROR_INVALID_OPERATION.
  * Heat maps tell what a pixel costs:
  *   heat_rays      rays that were traced for it in this frame. With a renderScale of 1 their sum is
  *                  that of the ray counters of gpGetFrameStatistics
@@ -1199,7 +1245,8 @@ typedef struct GpImage {
 /* Reads PNG, JPEG, Radiance HDR or EXR. */
 GP_API GpError gpLoadImage(GpDevice device, const char* path, GpImage* image);
 /* By the ending of the name: .png (sRGB encoding, clipped to 0..1), .exr (half), .hdr. Only width,
- * height and pixels of `image` count. */
+ * height and pixels of `image` count. Alpha is written as it stands, and colours are neither
+ * multiplied nor divided by it; a PNG whose alpha is 1 everywhere has RGB only. */
 GP_API GpError gpSaveImage(GpDevice device, const char* path, const GpImage* image);
 /* Frees and clears; an image of zeros is allowed. */
 GP_API void gpFreeImage(GpImage* image);

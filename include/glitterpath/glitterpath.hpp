@@ -162,6 +162,18 @@ public:
     void setSky(float sunAzimuth, float sunElevation, float sunLux = 0) {
         check(gpSetSky(get(), sunAzimuth, sunElevation, sunLux));
     }
+    // NULL: every material. How many instances have another one now, and what maps they kept.
+    uint32_t replaceMaterial(const char* name, const Material& material) {
+        uint32_t replaced = 0;
+        check(gpReplaceMaterial(get(), name, material.get(), &replaced));
+        return replaced;
+    }
+    GpReplacedMaterials replaceMaterialModel(const char* name, const Material& material,
+                                             uint32_t keep = GP_MAP_ALL) {
+        GpReplacedMaterials replaced{};
+        check(gpReplaceMaterialModel(get(), name, material.get(), keep, &replaced));
+        return replaced;
+    }
     void setOcean(const GpOceanDesc& desc = {}) { check(gpSetOcean(get(), &desc)); }
     void removeOcean() { check(gpSetOcean(get(), nullptr)); }
     void setOceanTime(double seconds) { check(gpSetOceanTime(get(), seconds)); }

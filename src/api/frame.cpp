@@ -108,6 +108,8 @@ GpError gpTonemapFrame(GpFrame frame, float exposureEv, GpTonemap tonemap) {
         else
             backend.tonemap(ev, curve, f.images);
         gp::drawOverlay(backend, f.overlay, f.camera, f.images);
+        f.shownEv = ev;
+        f.shownTonemap = curve;
     });
 }
 

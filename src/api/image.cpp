@@ -27,6 +27,12 @@ GpImage loadImage(const char* path) {
     return image;
 }
 
+bool isOpaque(const std::vector<uint8_t>& rgba) {
+    for (size_t i = 3; i < rgba.size(); i += 4)
+        if (rgba[i] != 255) return false;
+    return true;
+}
+
 void saveImage(const char* path, const GpImage& image) {
     const FileEnding ending = endingOf(path);
     checkImageSize(image.width, image.height, sideLimit, pixelLimit);
@@ -34,9 +40,11 @@ void saveImage(const char* path, const GpImage& image) {
     const size_t count = size_t(image.width) * image.height;
     if (ending == FileEnding::hdr)
         return io::saveHdr(path, image.width, image.height, image.pixels);
-    if (ending == FileEnding::png)
-        return io::savePng(path, image.width, image.height,
-                           displayPixels(image.pixels, count).data());
+    if (ending == FileEnding::png) {
+        const std::vector<uint8_t> bytes = displayPixels(image.pixels, count);
+        return io::savePng(path, image.width, image.height, bytes.data(),
+                           isOpaque(bytes) ? io::PngPixel::rgb : io::PngPixel::rgba);
+    }
     const io::ImageLayer layer{"", "RGBA", image.pixels};
     io::saveExr(path, image.width, image.height, {&layer, 1}, io::ExrPixel::half);
 }

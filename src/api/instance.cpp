@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <map>
 
 #include "api/check.h"
 #include "api/scenes.h"
+#include "scene/kept_maps.h"
 
 namespace gp::api {
 
@@ -94,6 +96,33 @@ GpInstance addInstance(SceneObject& scene, std::shared_ptr<Instance> instance) {
     return handle;
 }
 
+static_assert(GP_MAP_BASE_COLOR == int(mapBaseColor) && GP_MAP_NORMAL == int(mapNormal) &&
+              GP_MAP_SLOPES == int(mapSlopes) && GP_MAP_ALPHA == int(mapAlpha) &&
+              GP_MAP_EMISSION == int(mapEmission) && GP_MAP_ROUGHNESS == int(mapRoughness) &&
+              GP_MAP_METALLIC == int(mapMetallic) && GP_MAP_OTHERS == int(mapOthers));
+
+// All copies are made before the first instance has another material: memory may end.
+GpReplacedMaterials replaceModels(Scene& scene, const char* name, const Material& replacement,
+                                  uint32_t keep) {
+    GpReplacedMaterials result{};
+    std::map<std::shared_ptr<const Material>, std::shared_ptr<const Material>> copies;
+    std::vector<Instance*> instances;
+    for (const auto& instance : scene.instances) {
+        if (instance->ofSea || (name && instance->surface().name != name)) continue;
+        instances.push_back(instance.get());
+        const std::shared_ptr<const Material> old = instance->surfacePtr();
+        if (copies.contains(old)) continue;
+        MaterialWithMaps copy = withMapsOf(*old, replacement, keep);
+        result.kept |= copy.kept;
+        result.left |= copy.left;
+        copies[old] = std::make_shared<const Material>(std::move(copy.material));
+    }
+    for (Instance* instance : instances) instance->material = copies.at(instance->surfacePtr());
+    result.instances = uint32_t(instances.size());
+    if (result.instances > 0) ++scene.revision;
+    return result;
+}
+
 }  // namespace
 }  // namespace gp::api
 
@@ -166,6 +195,19 @@ GpError gpReplaceMaterial(GpScene scene, const char* name, GpMaterial material,
         }
         if (count > 0) ++s.scene.revision;
         if (replaced) *replaced = count;
+    });
+}
+
+GpError gpReplaceMaterialModel(GpScene scene, const char* name, GpMaterial material,
+                               uint32_t keep, GpReplacedMaterials* replaced) {
+    return enter("gpReplaceMaterialModel", "scene", scene, [&](SceneObject& s) {
+        const auto object = resolve(*s.device, material, "material");
+        if (object->animated)
+            fail(GP_ERROR_INVALID_ARGUMENT, "material is animated: no map could be kept in it");
+        if (keep & ~uint32_t(GP_MAP_ALL))
+            fail(GP_ERROR_INVALID_ARGUMENT, "keep has unknown bits: {:#x}", keep);
+        const GpReplacedMaterials result = replaceModels(s.scene, name, *object->material, keep);
+        if (replaced) *replaced = result;
     });
 }
 

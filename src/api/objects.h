@@ -124,6 +124,9 @@ struct FrameObject final : ChildObject {
     uint64_t sceneRevision = 0;
     Camera camera;
     glm::vec3 skyViewer{0};
+    bool backgroundHidden = false;
+    float shownEv = 0;               // of images.display, as the next
+    Tonemap shownTonemap = Tonemap::agx;
     FrameSky sky;                    // of other modes than FrameMode::realtime
     FrameSurroundings surroundings;  // of FrameMode::local
     DrawList draws;                  // wait for the next render

@@ -23,7 +23,8 @@ static_assert(GP_GLINTS_OFF == int(SeaGlints::smooth) &&
 // A number in its range, or its default where it is zero and not given.
 float numberOr(float value, float fallback, bool given, double lo, double hi, const char* field) {
     if (value == 0 && !given) return fallback;
-    checkRange(value, lo, hi, field);
+    // 1.01f is below 1.01, and is in the range that begins there.
+    checkRange(value, double(float(lo)), double(float(hi)), field);
     return value;
 }
 

@@ -190,8 +190,8 @@ void readLayer(const RealtimeFrame& frame, size_t layer, glm::vec4* pixels) {
     if (layer < realtimeLayerCount) {
         if (!frame.images().holds(RealtimeImage(layer)))
             fail(GP_ERROR_INVALID_OPERATION,
-                 "the frame has no layer \"{}\": its options (lightReuse, indirectReuse, denoiser) "
-                 "make none",
+                 "the frame has no layer \"{}\": neither its options (lightReuse, indirectReuse, "
+                 "denoiser) nor its scene (suns over surfaces of slopes) make one",
                  layerName(layer));
         readRealtimeLayer(frame.images(), RealtimeImage(layer), pixels);
         return;

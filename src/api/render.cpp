@@ -132,6 +132,7 @@ FramePlan planFrom(const GpRenderOptions& o) {
     plan.exposureEv = checkExposure(o.exposureEv);
     plan.tonemap = Tonemap(checkEnum(o.tonemap, 4, "options.tonemap"));
     plan.accumulate = o.accumulate != 0;
+    plan.hideBackground = o.hideBackground != 0;
     return plan;
 }
 
@@ -164,6 +165,9 @@ void checkAccumulation(const FrameObject& frame, const SceneObject& scene, const
         fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another view");
     if (frame.skyViewer != plan.skyViewer)
         fail(GP_ERROR_INVALID_OPERATION, "options.accumulate: the frame shows another sky");
+    if (frame.backgroundHidden != plan.hideBackground)
+        fail(GP_ERROR_INVALID_OPERATION,
+             "options.accumulate: the frame was rendered with another hideBackground");
     const uint32_t held = frame.statistics.samplesPerPixel;
     if (plan.samplesPerPixel != UINT32_MAX && plan.samplesPerPixel > UINT32_MAX - 1 - held)
         fail(GP_ERROR_TOO_LARGE, "options.samplesPerPixel is {}, added to {}", plan.samplesPerPixel,
@@ -265,7 +269,8 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     cancel.store(false);
     if (frame.mode == FrameMode::realtime) {
         RealtimePlan realtime = realtimePlanFrom(options);
-        if (options.maxBounces == 0) plan.maxBounces = 1;
+        // Waves show in waves: ending at the second surface would draw their troughs black.
+        if (options.maxBounces == 0) plan.maxBounces = scene->scene.sea ? 2 : 1;
         plan.lastByLights = true;
         realtime.frame = plan;
         setSizes(realtime, options, {plan.width, plan.height});
@@ -275,6 +280,7 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
         frame.statistics.secondsBuild = build(*scene, plan);
         const RealtimeResult result = renderRealtime(frame, *scene, realtime);
         frame.camera = plan.camera;
+        frame.shownEv = result.exposureEv, frame.shownTonemap = plan.tonemap;
         useUpDraws(frame);
         if (result.cancelled) fail(GP_ERROR_CANCELLED, "stopped in the middle of a frame");
         return;
@@ -296,6 +302,8 @@ void render(FrameObject& frame, const std::shared_ptr<SceneObject>& scene,
     frame.sceneRevision = scene->scene.revision;
     frame.camera = plan.camera;
     frame.skyViewer = plan.skyViewer;
+    frame.backgroundHidden = plan.hideBackground;
+    frame.shownEv = plan.exposureEv, frame.shownTonemap = plan.tonemap;
     useUpDraws(frame);
     note(frame, *scene, result, secondsBuild, plan.exposureEv);
     if (result.cancelled)

@@ -6,6 +6,7 @@
 #include "api/check.h"
 #include "api/endings.h"
 #include "api/frames.h"
+#include "frame/straight_picture.h"
 #include "io/image_file.h"
 
 namespace gp::api {
@@ -77,6 +78,18 @@ void saveLayers(const FrameObject& frame, const char* path, const GpSaveOptions&
                 full ? io::ExrPixel::float32 : io::ExrPixel::half);
 }
 
+// What is shown, over nothing: as PNG wants it.
+void savePngWithAlpha(const FrameObject& frame, const char* path) {
+    std::vector<glm::vec4> color(frame.images.pixelCount());
+    readImage(frame, FrameImage::color, color.data());
+    const ShownPicture shown = {frame.shownEv, frame.shownTonemap, &frame.overlay, &frame.camera};
+    const std::vector<glm::u8vec4> straight =
+        straightPicture(*frame.device->backend, std::move(color), frame.images.width,
+                        frame.images.height, shown);
+    io::savePng(path, frame.images.width, frame.images.height, &straight[0].x,
+                io::PngPixel::rgba);
+}
+
 void save(const FrameObject& frame, const char* path, const GpSaveOptions& options) {
     checkPath(path);
     const FileEnding ending = endingOf(path);
@@ -84,11 +97,15 @@ void save(const FrameObject& frame, const char* path, const GpSaveOptions& optio
         fail(GP_ERROR_INVALID_ARGUMENT, "options.layers has unknown bits: {:#x}", options.layers);
     if (options.layers != 0 && ending != FileEnding::exr)
         fail(GP_ERROR_INVALID_ARGUMENT, "options.layers: only .exr files have layers");
+    if (options.alpha != 0 && ending == FileEnding::hdr)
+        fail(GP_ERROR_INVALID_ARGUMENT, "options.alpha: .hdr files have none");
     checkRendered(frame);
     const FrameImages& images = frame.images;
     if (ending == FileEnding::exr) return saveLayers(frame, path, options);
+    if (ending == FileEnding::png && options.alpha != 0) return savePngWithAlpha(frame, path);
     if (ending == FileEnding::png)
-        return io::savePng(path, images.width, images.height, &images.display[0].x);
+        return io::savePng(path, images.width, images.height, &images.display[0].x,
+                           io::PngPixel::rgb);
     const std::vector<float> color = layerPixels(frame, FrameImage::color, 4);
     io::saveHdr(path, images.width, images.height, color.data());
 }

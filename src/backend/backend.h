@@ -35,6 +35,8 @@ public:
     virtual uint64_t emissiveTriangles() const = 0;
     // The lights under the numbers that its passes use; the same until the next update.
     virtual const LightTable& lights() const = 0;
+    // Whether a material reflects by slopes (the model `glint`, the sea).
+    virtual bool hasSlopes() const = 0;
 };
 
 // One real-time frame, as its passes see it.

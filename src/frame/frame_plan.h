@@ -61,6 +61,7 @@ struct FramePlan {
     // In the environment's place, where more surrounds the scene (frame/frame_sky.h); else null.
     std::shared_ptr<const EnvironmentTable> sky;
     bool skyDrawn = false;            // rasterised geometry is in it
+    bool hideBackground = false;      // camera rays see nothing behind surfaces
     // FrameMode::local: what surrounds the scene as light (frame/frame_surroundings.h); null: none.
     std::shared_ptr<const SkyPyramid> surroundings;
     glm::vec3 skyViewer{0};           // where sky geometry is seen from

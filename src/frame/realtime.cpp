@@ -50,6 +50,7 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, boo
     c.light_reuse = uint32_t(plan.lightReuse);
     c.indirect_reuse = uint32_t(plan.indirectReuse);
     c.scene_changed = sceneChanged;
+    c.suns_apart = images_.sunsApart;
     c.previous_lights = uint32_t(motion_.currentLightOfPrevious().size());
     c.sea = motion_.sea();
     c.previous_instances = uint32_t(motion_.currentOfPrevious().size());
@@ -61,12 +62,17 @@ shared::RealtimeConstants RealtimeFrame::constants(const RealtimePlan& plan, boo
 
 bool RealtimeFrame::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse) {
     const RealtimeViews& views = images_.views();
-    const bool same =
-        views.size[size_t(RealtimeSize::OUTPUT)] == output && images_.reuse() == reuse;
-    if (same && views.size[size_t(RealtimeSize::FULL)] == full) return false;
+    const bool sameSize = views.size[size_t(RealtimeSize::FULL)] == full;
+    // Suns set, and glitter comes into scenes and goes: an image more is no reason to forget, and
+    // once it is there it stays.
+    ReuseImages had = images_.reuse();
+    reuse.suns |= had.suns;
+    const bool onlySuns = std::exchange(had.suns, reuse.suns) != reuse.suns;
+    const bool same = views.size[size_t(RealtimeSize::OUTPUT)] == output && had == reuse;
+    if (same && sameSize && !onlySuns) return false;
     if (same && previousCamera_) {
-        images_.rescale(full);
-        return true;
+        images_.rescale(full, reuse);
+        return !sameSize;
     }
     cut();
     images_.resize(full, output, reuse);
@@ -79,10 +85,12 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
                                      FrameImages& picture, std::atomic<bool>& cancel) {
     const auto start = Clock::now();
     RealtimeResult result;
+    const bool sunsApart =
+        backendScene.hasSlopes() && backendScene.lights().directionalCount > 0;
     const bool resized = resize(
         {int(plan.frame.width), int(plan.frame.height)}, glm::ivec2(plan.outputSize),
         {plan.lightReuse != LightReuse::none, plan.indirectReuse != LightReuse::none,
-         plan.denoiser == Denoiser::bmfr});
+         plan.denoiser == Denoiser::bmfr, sunsApart});
     if (plan.resetHistory) cut();
     // What another denoiser left, or frames without reuse did not write, is no history.
     if (plan.denoiser != denoiser_ || plan.lightReuse != lightReuse_ ||
@@ -106,6 +114,7 @@ RealtimeResult RealtimeFrame::render(Backend& backend, const BackendScene& backe
     images_.swap();
     heat_.begin(plan.heatMaps, images_.views().size[size_t(RealtimeSize::FULL)]);
     images_.filtered = filtersIndirect(plan.denoiser);
+    images_.sunsApart = sunsApart;
 
     const bool sceneChanged = std::exchange(sceneRevision_, scene.revision) != scene.revision;
     shared::RealtimeConstants c = constants(plan, hasPrevious, sceneChanged);

@@ -77,7 +77,8 @@ glm::ivec2 RealtimeImages::size(RealtimeImage image) const {
 
 bool RealtimeImages::holds(RealtimeImage image) const {
     const bool isFiltered = image == Layer::indirect || image == Layer::indirect_chroma;
-    return views_.current[size_t(image)] && (filtered || !isFiltered);
+    return views_.current[size_t(image)] && (filtered || !isFiltered) &&
+           (sunsApart || image != Layer::sun);
 }
 
 // In tiny frames, where alignment counts for more than pixels, some find no room.
@@ -106,9 +107,13 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reus
         end += bytesOf(made.views_, RealtimeImage(i));
     };
     const auto isWanted = [&](RealtimeMemory memory) {
-        return memory == RealtimeMemory::OWN || (memory == RealtimeMemory::REUSE && reuse.light) ||
-               (memory == RealtimeMemory::INDIRECT_REUSE && reuse.indirect) ||
-               (memory == RealtimeMemory::BMFR && reuse.bmfr);
+        switch (memory) {
+            case RealtimeMemory::REUSE: return reuse.light;
+            case RealtimeMemory::INDIRECT_REUSE: return reuse.indirect;
+            case RealtimeMemory::BMFR: return reuse.bmfr;
+            case RealtimeMemory::SUN: return reuse.suns;
+            default: return true;  // lent ones too, where no other's memory has room
+        }
     };
     size_t twice = 0, once = 0;
     for (size_t i = 0; i < realtimeImageCount; ++i)
@@ -116,7 +121,8 @@ void RealtimeImages::resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reus
             place(Set::current, i, twice);
     if (lends_) made.lodge(made.places_);
     for (size_t i = 0; i < realtimeImageCount; ++i)
-        if (realtimeImageInfos[i].copies == 1 && made.places_[i].set == Set::none)
+        if (realtimeImageInfos[i].copies == 1 && made.places_[i].set == Set::none &&
+            isWanted(realtimeImageInfos[i].memory))
             place(Set::single, i, once);
     made.current_.resize(twice), made.previous_.resize(twice), made.single_.resize(once);
     made.reuse_ = reuse;
@@ -130,14 +136,14 @@ void RealtimeImages::take(RealtimeImages& made) {
     point();
 }
 
-void RealtimeImages::rescale(glm::ivec2 full) {
+void RealtimeImages::rescale(glm::ivec2 full, ReuseImages reuse) {
     RealtimeImages made(lends_);
-    made.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)], reuse_);
+    made.resize(full, views_.size[size_t(RealtimeSize::OUTPUT)], reuse);
     for (size_t i = 0; i < realtimeImageCount; ++i) {
         const RealtimeImageInfo& info = realtimeImageInfos[i];
         const bool stays = info.memory != RealtimeMemory::LENT &&
                            info.memory != RealtimeMemory::SCRATCH;
-        if (!stays || !views_.current[i]) continue;
+        if (!stays || !views_.current[i] || !made.views_.current[i]) continue;
         const glm::ivec2 from = views_.size[size_t(info.size)];
         const glm::ivec2 to = made.views_.size[size_t(info.size)];
         const size_t bytes = gp::bytesPerPixel(info.format);

@@ -15,7 +15,7 @@ enum class RealtimeFormat : uint8_t {
 };
 // BLOCK: of no image, but what a kernel is counted in that does BMFR's blocks of 32 x 32 pixels.
 enum class RealtimeSize : uint8_t { FULL, THIRD, OUTPUT, BLOCK };
-enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, BMFR, LENT, SCRATCH };
+enum class RealtimeMemory : uint8_t { OWN, REUSE, INDIRECT_REUSE, BMFR, SUN, LENT, SCRATCH };
 
 enum class RealtimeImage : uint32_t {
 #define X(name, format, size, copies, memory, meaning) name,
@@ -54,10 +54,11 @@ constexpr size_t realtimeLayerCount = 0
 #undef X
     ;
 
-// Which images the options ask for, beside those that every frame has.
+// Which images options and scene ask for, beside those that every frame has.
 struct ReuseImages {
     bool light = false, indirect = false;
     bool bmfr = false;  // the denoiser that fits
+    bool suns = false;  // reflected by surfaces of slopes
     bool operator==(const ReuseImages&) const = default;
 };
 
@@ -78,9 +79,10 @@ public:
 
     // `full`: of rays; `output`: of the picture, not smaller. All zeros. Throws std::bad_alloc.
     void resize(glm::ivec2 full, glm::ivec2 output, ReuseImages reuse = {});
-    // Another size of rays for the same picture: what the last frame left for the next stays, each
-    // new pixel taking that of the nearest old one. Throws std::bad_alloc, nothing changed then.
-    void rescale(glm::ivec2 full);
+    // Another size of rays, or other images, for the same picture: what the last frame left for the
+    // next stays, each new pixel taking that of the nearest old one. Throws std::bad_alloc, nothing
+    // changed then.
+    void rescale(glm::ivec2 full, ReuseImages reuse);
     // What this frame writes becomes what the next one remembers.
     void swap();
     const RealtimeViews& views() const { return views_; }
@@ -94,6 +96,7 @@ public:
     static size_t bytesPerPixel();
 
     bool filtered = false;  // a denoiser has run over the light
+    bool sunsApart = false; // `sun` has a part of it
 
 private:
     enum class Set : uint8_t { none, current, previous, single };

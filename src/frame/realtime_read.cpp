@@ -28,6 +28,7 @@ struct Reader : ImageAccess {
 
     explicit Reader(const RealtimeImages& all) : ImageAccess(all.views()) {
         constants.relights = all.filtered;
+        constants.suns_apart = all.sunsApart;
     }
     const RealtimeConstants& load_realtime() const { return constants; }
 #include "kernels/realtime/composite.glsl"
@@ -78,7 +79,8 @@ struct Reader : ImageAccess {
             case FrameImage::emission: return vec4(vec3(load_emission(p)), 1);
             case FrameImage::direct:
                 return vec4(vec3(albedo) * vec3(load_direct(p)) +
-                                vec3(specular) * vec3(load_specular(p)), 1);
+                                vec3(specular) * vec3(load_specular(p)) +
+                                (constants.suns_apart != 0u ? load_sun(p) : vec3(0)), 1);
             case FrameImage::indirect:
                 return vec4(vec3(albedo) * composite_indirect(p), 1);
             case FrameImage::roughness: {

@@ -72,9 +72,6 @@ void Materials::readGlints(const Value& value, Material& m) {
     if (m.coat > 0 || m.iridescence > 0 || m.sheenColor != glm::vec3(0) || m.specular != 1)
         m_document.warn(glints->where() +
                         ": the material's coat, sheen, iridescence and specular are left out");
-    const auto pbr = value.find("pbrMetallicRoughness");
-    if (pbr && pbr->has("metallicRoughnessTexture"))
-        m_document.warn(glints->where() + ": metallicRoughnessTexture is left out");
     MaterialLayer layer;
     layer.bsdf = std::make_shared<const BsdfSettings>(std::move(s));
     m.layers = {layer};

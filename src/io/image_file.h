@@ -36,6 +36,9 @@ enum class ExrPixel : uint8_t { half, float32 };
 void saveExr(const std::string& path, uint32_t width, uint32_t height,
              std::span<const ImageLayer> layers, ExrPixel pixel);
 void saveHdr(const std::string& path, uint32_t width, uint32_t height, const float* rgba);
-void savePng(const std::string& path, uint32_t width, uint32_t height, const uint8_t* rgba);
+// Four bytes a pixel are given in any case; straight colours where alpha is kept.
+enum class PngPixel : uint8_t { rgb, rgba };
+void savePng(const std::string& path, uint32_t width, uint32_t height, const uint8_t* rgba,
+             PngPixel pixel);
 
 }  // namespace gp::io

@@ -105,14 +105,18 @@ Image floatsFromWide(const std::vector<uint16_t>& wide, uint32_t width, uint32_t
     return image;
 }
 
-bool writePixels(PngWriter& w, uint32_t width, uint32_t height, const uint8_t* rgba) {
+bool writePixels(PngWriter& w, uint32_t width, uint32_t height, const uint8_t* rgba,
+                 PngPixel pixel) {
     if (setjmp(png_jmpbuf(w.png))) return false;
     png_set_write_fn(w.png, &w, onWrite, onFlush);
-    png_set_IHDR(w.png, w.info, width, height, 8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
+    const bool alpha = pixel == PngPixel::rgba;
+    png_set_IHDR(w.png, w.info, width, height, 8,
+                 alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(w.png, w.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_compression_level(w.png, 4);  // a third of the default's time for 2 % more bytes
     png_write_info(w.png, w.info);
+    if (!alpha) png_set_filler(w.png, 0, PNG_FILLER_AFTER);  // the fourth byte is left out
     for (uint32_t y = 0; y < height; ++y) png_write_row(w.png, rgba + size_t(y) * width * 4);
     png_write_end(w.png, w.info);
     return true;
@@ -154,12 +158,13 @@ Image decodePng(const ImageSource& source) {
     return image;
 }
 
-void savePng(const std::string& path, uint32_t width, uint32_t height, const uint8_t* rgba) {
+void savePng(const std::string& path, uint32_t width, uint32_t height, const uint8_t* rgba,
+             PngPixel pixel) {
     PngWriter w;
     w.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &w, onError<PngWriter>, onWarning);
     if (w.png) w.info = png_create_info_struct(w.png);
     if (!w.info) throw std::bad_alloc();
-    if (!writePixels(w, width, height, rgba))
+    if (!writePixels(w, width, height, rgba, pixel))
         throw FileError(FileError::Kind::writeFailed, path,
                         std::string("cannot be written: ") + w.message);
     AtomicFile file(path);

@@ -16,6 +16,7 @@ BsdfParams library_params(IN(MaterialRecord) m, IN(Surface) s, vec3 base, float 
             vec4 texel = read_slot(layer.mask_slot, s, u_lod);
             share *= layer.channel == 0u ? texel.x
                 : layer.channel == 1u ? texel.y : layer.channel == 2u ? texel.z : texel.w;
+            share *= layer.squared != 0u ? share : 1.0f;
         }
         b = bsdf_blended(b, load_bsdf(layer.bsdf), clamp(share, 0.0f, 1.0f));
     }
@@ -42,6 +43,17 @@ vec2 glint_kernel_axis(IN(PixelTurn) t, IN(Frame) f, vec3 wo, float inv_viewer) 
     return vec2(-change.x, -change.y);
 }
 
+// Cones wider than this, in radians, come out of rough lobes and not out of pixels.
+#define GLINT_LARGEST_SPREAD 0.05f
+
+// How much of a cone's turns is the pixel's. The directions of a rough lobe are sampled by paths;
+// as a kernel they would make all that lies behind a matte surface rough, and cavities lose the
+// more light the rougher they are (metal of alpha 0.1 in a white room: a sixth); and from below,
+// calm water would look as rough as a storm's.
+float glint_kernel_share(float spread) {
+    return GLINT_LARGEST_SPREAD / max(abs(spread), GLINT_LARGEST_SPREAD);
+}
+
 // What the pixel sees of the facets: where in the texture coordinates, how much of them, how the
 // half vector changes from one of its edges to the other; and what the slope maps, of which the
 // normal map is one, have there.
@@ -54,8 +66,9 @@ BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN
     if (d0 == vec2(0.0f) && d1 == vec2(0.0f)) { b.slot_b.x = float(GLINT_SMOOTH); }
     // The distance to where the cone is a point.
     float inv_viewer = abs(s.cone.spread) / max(abs(s.cone.width), 1.0e-8f);
-    vec2 k0 = glint_kernel_axis(t.a, frame, wo, inv_viewer);
-    vec2 k1 = glint_kernel_axis(t.b, frame, wo, inv_viewer);
+    float share = glint_kernel_share(s.cone.spread);
+    vec2 k0 = glint_kernel_axis(t.a, frame, wo, inv_viewer) * share;
+    vec2 k1 = glint_kernel_axis(t.b, frame, wo, inv_viewer) * share;
     b.slot_c.x = s.uv0.x;
     b.slot_c.y = s.uv0.y;
     b.slot_d = vec4(d0, d1);
@@ -71,6 +84,20 @@ BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN
         vec2 mean = slope_mean_in_view(glint_mean(b), wo_local);
         b.slot_a.x = mean.x;
         b.slot_a.y = mean.y;
+    }
+    return glint_prepared_at(b);
+}
+
+// glTF's textures over the factors of roughness, metal and transmission.
+// [Khronos glTF 2.0, section 3.9.2; KHR_materials_transmission]
+BsdfParams glint_textured(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
+    if ((m.textures & SLOT_METALLIC_ROUGHNESS) != 0u) {
+        vec4 texel = read_slot(m.metallic_roughness_slot, s, u_lod);
+        b.metallic *= texel.z;
+        b = glint_with_roughness(b, texel.y);
+    }
+    if ((m.textures & SLOT_TRANSMISSION) != 0u) {
+        b.transmission *= read_slot(m.transmission_slot, s, u_lod).x;
     }
     return b;
 }
@@ -98,7 +125,7 @@ OUT_OF_LINE ShadingPoint library_point(IN(MaterialRecord) m, IN(Surface) s, vec3
     }
     p.frame = face_viewer(s, p.frame, wo, (m.flags & MATERIAL_SOLID) != 0u);
     if ((m.flags & MATERIAL_GLINT) != 0u) {
-        p.bsdf = glint_params_at(p.bsdf, m, s, p.frame, wo);
+        p.bsdf = glint_params_at(glint_textured(p.bsdf, m, s, u_lod), m, s, p.frame, wo);
     }
     return p;
 }

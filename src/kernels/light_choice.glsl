@@ -33,6 +33,7 @@ struct LightGroups {
     float directional_sum;  // the same of the shadow ray that may choose directional lights
     uint resampled;         // 1: lights that are not directional come from a reservoir, and weights
                             // between techniques leave out how probable each light was
+    uint suns_elsewhere;    // 1: what a ray finds of directional lights has been counted already
 };
 
 float directional_importance(IN(LightRecord) record, vec3 normal) {
@@ -90,6 +91,7 @@ LightGroups light_groups(vec3 p, vec3 normal) {
     g.sum = g.environment + g.directional + g.tree;
     g.directional_sum = g.sum;
     g.resampled = 0u;
+    g.suns_elsewhere = 0u;
     return g;
 }
 
@@ -113,6 +115,16 @@ LightGroups light_groups_others(IN(LightGroups) apart) {
     LightGroups g = apart;
     g.directional = 0.0f;
     return g;
+}
+
+// Without what is infinitely far.
+LightGroups light_groups_near(IN(LightGroups) g) {
+    LightGroups near = g;
+    near.environment = 0.0f;
+    near.directional = 0.0f;
+    near.sum = g.tree;
+    near.directional_sum = 0.0f;
+    return near;
 }
 
 // The group that a light belongs to: 0 the environment, 1 directional lights, 2 the tree's.

@@ -9,6 +9,8 @@
 #include "kernels/path.glsl"
 #include "kernels/pixel_turn.glsl"
 #include "kernels/slope_lighting.glsl"
+#include "kernels/slope_sun.glsl"
+#include "shading/bsdf/diffuse_part.glsl"
 #include "shading/light/lamp_point.glsl"
 
 // What a point of a surface sends to the viewer.
@@ -57,20 +59,19 @@ vec3 filtered_f_cos(IN(LocalPoint) at, IN(LightSample) lamp, vec3 wo_local, vec3
     vec3 h = normalize(wo_local + wi_local);
     FilteredBsdf filtered = ndf_filtered_bsdf(at.shading.bsdf, at.turns, h, dh0, dh1,
                                               load_local_lighting().ndf_filter);
-    return bsdf_eval(filtered.bsdf, turned_about_normal(wo_local, filtered.axis),
-                     turned_about_normal(wi_local, filtered.axis)).f_cos;
+    vec3 wo = turned_about_normal(wo_local, filtered.axis);
+    vec3 wi = turned_about_normal(wi_local, filtered.axis);
+    vec3 f_cos = bsdf_eval(filtered.bsdf, wo, wi).f_cos;
+    if (filtered.shape == 1.0f) { return f_cos; }
+    vec3 diffuse = bsdf_diffuse_part(filtered.bsdf, wo, wi);
+    return diffuse + (f_cos - diffuse) * filtered.shape;
 }
 
 // f cos of a lamp. A sun is a direction, but surfaces of slopes reflect all of its disc.
 vec3 lamp_f_cos(IN(LocalPoint) at, IN(LightRecord) record, vec3 wo_local, vec3 wi_local) {
-    if (record.kind == LIGHT_DIRECTIONAL && at.shading.bsdf.model == MODEL_GLINT) {
-        DirectionalLight sun = directional_light(record);
-        if (sun.one_minus_cos_max > 0.0f) {
-            return bsdf_eval(slopes_under_sun(at.shading.bsdf, wo_local, wi_local, sun), wo_local,
-                             wi_local).f_cos;
-        }
-    }
-    return bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
+    return record.kind == LIGHT_DIRECTIONAL
+               ? sun_f_cos(at.shading.bsdf, wo_local, wi_local, directional_light(record))
+               : bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
 }
 
 LocalLight light_of(IN(LocalPoint) at) {
@@ -87,6 +88,8 @@ LocalLight light_of(IN(LocalPoint) at) {
                          : lamp_f_cos(at, load_light(i), wo_local, wi_local);
         sum.direct += f_cos * lamp.radiance;
     }
+    sum.ambient = vec3(0.0f);
+    if (local.ambient == vec3(0.0f) && local.sky_nodes == 0u) { return sum; }
     vec3 albedo = bsdf_albedo(at.shading.bsdf, abs(dot(shown_normal(at.shading), at.wo)));
     sum.ambient = albedo * local.ambient;
     if (local.sky_nodes != 0u) { sum.ambient += lit_by_sky(at.shading, wo_local, albedo); }

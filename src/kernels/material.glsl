@@ -8,6 +8,7 @@
 
 // SURFACE_ bits of what load_shading_point will use.
 uint surface_needs(IN(MaterialRecord) m, bool diffuse) {
+    if ((m.flags & MATERIAL_SEA) != 0u && !diffuse) { return SURFACE_PLACE; }
     bool uv = m.textures != 0u || (m.flags & MATERIAL_NEEDS_UV) != 0u;
     bool mapped = (m.textures & (SLOT_NORMAL | SLOT_COAT_NORMAL | SLOT_SLOPES)) != 0u ||
                   m.anisotropy > 0.0f;

@@ -5,19 +5,11 @@
 #ifndef GP_KERNELS_OCEAN_SURFACE_GLSL
 #define GP_KERNELS_OCEAN_SURFACE_GLSL
 #include "kernels/library_material.glsl"
+#include "kernels/sea_frame.glsl"
 #include "shading/slope/mean_slope.glsl"
 
 // Of fresh foam. [Koepke 1984, "Effective reflectance of oceanic whitecaps", Applied Optics 23(11)]
 #define FOAM_ALBEDO 0.55f
-
-// x towards +X, y towards -Z, up: the frame of scene/sea.h.
-Frame sea_frame() {
-    Frame f;
-    f.t = vec3(1.0f, 0.0f, 0.0f);
-    f.b = vec3(0.0f, 0.0f, -1.0f);
-    f.n = vec3(0.0f, 1.0f, 0.0f);
-    return f;
-}
 
 // What a pixel shows of the plane at rest, and how its half vectors differ.
 struct SeaFootprint {
@@ -34,7 +26,7 @@ SeaFootprint sea_footprint(IN(RayCone) cone, vec3 wo) {
     along = l > 1.0e-6f ? along / l : vec2(1.0f, 0.0f);
     vec2 across = vec2(-along.y, along.x);
     float width = max(abs(cone.width), 1.0e-6f);
-    float turn = 0.5f * min(abs(cone.spread), 1.0f);
+    float turn = 0.5f * abs(cone.spread) * glint_kernel_share(cone.spread);
     SeaFootprint f;
     f.d0 = along * (width / max(abs(wo.z), 1.0e-4f));
     f.d1 = across * width;
@@ -57,6 +49,8 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     // A long footprint may show a crest of waves whose mean slope is turned away from the viewer.
     vec2 mean = slope_mean_in_view(sea.mean, s.front != 0u ? wo_local : -wo_local);
     p.bsdf = load_bsdf(m.bsdf);
+    bool deep = (m.flags & MATERIAL_SOLID) == 0u && s.front != 0u;
+    if (!deep) { p.bsdf.base_color = vec3(0.0f); }
     // A matte share as large as its albedo, and all else clear: so that the exact Fresnel term
     // reflects, which is that of clear bodies.
     vec3 matte = mix(p.bsdf.base_color, vec3(FOAM_ALBEDO), clamp(sea.foam, 0.0f, 1.0f));
@@ -71,10 +65,12 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     p.bsdf.slot_a.z = spread > 0.0f ? sea.cov / spread : 0.0f;
     p.bsdf.slot_c.x = s.uv0.x;
     p.bsdf.slot_c.y = s.uv0.y;
-    // Below deep water nothing is seen: what comes back from there is its albedo.
-    p.bsdf.slot_c.w = (m.flags & MATERIAL_SOLID) == 0u ? 1.0f : 0.0f;
+    // Below deep water nothing is seen: what comes back from there is its albedo. Who is below it
+    // sees out as through clear water.
+    p.bsdf.slot_c.w = deep ? 1.0f : 0.0f;
     p.bsdf.slot_d = vec4(seen.d0, seen.d1);
     p.bsdf.slot_e = vec4(seen.k0, seen.k1);
+    p.bsdf = glint_prepared_at(p.bsdf);
     return p;
 }
 

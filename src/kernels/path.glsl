@@ -3,13 +3,14 @@
 // between them. A backend traces the rays between the surfaces: path_begin, then, with what the
 // path's ray met in `hit`, path_continue until the path has ended.
 // Based on: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", chapters 8-10.
-// Resources: trace_visible, note_shadow_ray, and those of the files included.
+// Resources: those of the files included.
 #ifndef GP_KERNELS_PATH_GLSL
 #define GP_KERNELS_PATH_GLSL
 #include "kernels/environment.glsl"
 #include "kernels/leaving_ray.glsl"
 #include "kernels/light_choice.glsl"
 #include "kernels/material.glsl"
+#include "kernels/shadowed_light.glsl"
 #include "kernels/sky.glsl"
 #include "kernels/surface.glsl"
 #include "shading/colour.glsl"
@@ -43,6 +44,11 @@ struct PathVertex {
     LightGroups groups; // what its shadow ray was chosen among
 };
 
+// Bits of PathState::water.
+#define PATH_IN_WATER 1u     // the sea's
+#define PATH_LIT_THROUGH 2u  // the far light that comes down through its surface to the last
+                             // surface has been counted: what goes up there finds none
+
 // A path between two surfaces.
 struct PathState {
     Ray ray;            // the camera's, or what left the last surface
@@ -51,8 +57,10 @@ struct PathState {
     Sampler draws;      // at the path's first draw
     PathVertex from;    // where the ray starts
     vec3 throughput;
-    float eta_scale;    // radiance is compressed by refraction; roulette must not see that
+    float eta_scale;    // radiance is compressed by refraction, and guides are narrower than
+                        // materials; roulette must not see either
     vec3 attenuation;   // of the medium around, 1/m
+    uint water;         // PATH_ bits
     uint depth;         // surfaces met so far
     uint ended;         // 1: light and guides are final, there is no ray
     PathLight light;
@@ -94,6 +102,7 @@ PathLight add_light(PathLight sum, vec3 light, uint depth) {
 vec3 sky_light(IN(PathVertex) from, vec3 direction, float spread, bool of_camera) {
     LET_REF(FrameConstants) f = load_frame();
     vec3 light = vec3(0.0f);
+    if (of_camera && (f.sky & SKY_HIDDEN) != 0u) { return light; }
     if (sky_is_traced(of_camera)) {
         light = sky_background(direction, from.pdf > 0.0f ? 0.0f : spread);
     }
@@ -101,11 +110,13 @@ vec3 sky_light(IN(PathVertex) from, vec3 direction, float spread, bool of_camera
         EnvironmentLight sky = environment_light(direction, from.pdf > 0.0f);
         if (!sky_is_traced(of_camera)) { light = sky.radiance; }
         if (from.pdf > 0.0f) {
-            float chosen = from.groups.resampled != 0u
-                               ? 1.0f : from.groups.environment / from.groups.sum;
+            float chosen = from.groups.resampled != 0u ? 1.0f
+                           : from.groups.sum > 0.0f    ? from.groups.environment / from.groups.sum
+                                                       : 0.0f;
             light *= mis_power(from.pdf, chosen * sky.pdf);
         }
     }
+    if (from.pdf > 0.0f && from.groups.suns_elsewhere != 0u) { return light; }
     for (uint i = 0u; i < f.directional_lights; ++i) {
         LET_REF(LightRecord) record = load_light(i);
         DirectionalLight sun = directional_light(record);
@@ -154,44 +165,11 @@ PathGuides no_guides() {
     return g;
 }
 
-// Light that a shadow ray brought to a surface: what the surface does with it is f_cos.
-struct ShadowedLight {
-    vec3 light;     // radiance over density, weighted; zero: none arrives
-    vec3 wi_local;
-    vec3 f_cos;
-};
-
-// The shadow ray of a surface to the light chosen for it; `attenuation` is that of the medium on
-// wo's side. `resampled` above 0 stands for one over the probability of having chosen this point
-// of this light.
-ShadowedLight shadowed_light(IN(Surface) s, IN(ShadingPoint) p, IN(ChosenLight) choice,
-                             vec3 wo_local, vec3 wo, vec3 attenuation, bool weigh,
-                             float resampled) {
-    LET_REF(LightSample) light = choice.point;
-    ShadowedLight arrived;
-    arrived.light = vec3(0.0f);
-    arrived.wi_local = vec3(0.0f);
-    arrived.f_cos = vec3(0.0f);
-    if (light.pdf <= 0.0f) { return arrived; }
-    arrived.wi_local = local_from_world(p.frame, light.wi);
-    if (!sides_agree(s, p, wo, light.wi, wo_local, arrived.wi_local)) { return arrived; }
-    BsdfValue value = bsdf_eval(p.bsdf, wo_local, arrived.wi_local);
-    vec3 radiance = chosen_light_radiance(choice);
-    float strongest = max_component(value.f_cos * radiance);
-    if (!(strongest > 0.0f)) { return arrived; }
-    arrived.f_cos = value.f_cos;
-    float density = choice.pmf * light.pdf;
-    float w = light.is_delta != 0u || !weigh ? 1.0f : mis_power(density, value.pdf);
-    float visible = trace_visible(shadow_ray(s, p, wo, light));
-    note_shadow_ray(light_group(choice.light), strongest / density, visible);
-    // What surrounds the surface absorbs; infinitely far light is never inside of a body.
-    bool reflected = same_side(p.bsdf, wo_local, arrived.wi_local);
-    if (reflected && attenuation != vec3(0.0f) && light.distance < FLOAT_MAX) {
-        radiance *= medium_transmittance(attenuation, light.distance);
-    }
-    arrived.light = radiance * ((resampled > 0.0f ? w * resampled / light.pdf : w / density) *
-                                visible);
-    return arrived;
+// PATH_ bits, of a ray that starts where the sea's water may be.
+void path_set_water(INOUT(PathState) path, uint water) {
+    path.water = water;
+    path.attenuation =
+        (water & PATH_IN_WATER) != 0u ? load_frame().water_attenuation : vec3(0.0f);
 }
 
 // `ray`: the camera's, `cone`: its cone.
@@ -205,7 +183,7 @@ PathState path_begin(Ray ray, RayCone cone, IN(Sampler) draws) {
     path.from.pdf = 0.0f;
     path.throughput = vec3(1.0f);
     path.eta_scale = 1.0f;
-    path.attenuation = vec3(0.0f);
+    path_set_water(path, (load_frame().water & WATER_CAMERA) != 0u ? PATH_IN_WATER : 0u);
     path.depth = 0u;
     path.ended = 0u;
     path.light.emission = vec3(0.0f);
@@ -251,7 +229,12 @@ void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(Pat
     path.throughput *= b.weight;
     if ((b.lobe & LOBE_TRANSMISSION) != 0u && p.bsdf.thin == 0u) {
         bool entering = side_of(p.bsdf, wo_local) > 0.0f;
-        path.attenuation = entering ? p.attenuation : vec3(0.0f);
+        if ((p.flags & MATERIAL_SEA) != 0u) {
+            path_set_water(path, entering ? PATH_IN_WATER : path.water & PATH_LIT_THROUGH);
+        } else {
+            path.attenuation = entering ? p.attenuation : vec3(0.0f);
+            if (!entering && path.water != 0u) { path_set_water(path, path.water); }
+        }
         float eta = entering ? p.bsdf.ior : 1.0f / p.bsdf.ior;
         path.eta_scale *= eta * eta;
     }
@@ -281,6 +264,32 @@ PathVertex path_vertex(IN(Surface) s, vec3 wo, bool transmissive) {
     return at;
 }
 
+// Whether no shadow ray can reach what is infinitely far, or none should.
+bool path_sea_hides(uint water, uint material_flags) {
+    if ((material_flags & MATERIAL_SEA) != 0u) { return (water & PATH_LIT_THROUGH) != 0u; }
+    return (water & PATH_IN_WATER) != 0u && (load_frame().water & WATER_BENDS) == 0u;
+}
+
+// How light finds p, on the side that the path comes from.
+Around path_around(uint water, vec3 attenuation, IN(ShadingPoint) p) {
+    Around around = around_of(attenuation);
+    if ((water & PATH_IN_WATER) == 0u || (p.flags & MATERIAL_SEA) != 0u ||
+        bsdf_is_specular(p.bsdf)) {
+        return around;
+    }
+    bool bends = (load_frame().water & WATER_BENDS) != 0u;
+    around.bends = bends ? 1u : 0u;
+    around.guided = bends ? 0.0f : load_frame().water_guided;
+    return around;
+}
+
+// The PATH_ bits of what leaves p on the same side: far light that `around` has brought there must
+// not be found again.
+uint path_water_behind(uint water, IN(ShadingPoint) p, IN(Around) around) {
+    if ((p.flags & MATERIAL_SEA) != 0u) { return water; }
+    return (water & PATH_IN_WATER) | (around.bends != 0u ? PATH_LIT_THROUGH : 0u);
+}
+
 // The surface that path.hit names: its own light, a shadow ray, the next ray.
 void path_scatter(INOUT(PathState) path) {
     LET_REF(FrameConstants) f = load_frame();
@@ -302,6 +311,9 @@ void path_scatter(INOUT(PathState) path) {
                              surface_needs(material, diffuse));
     PathVertex at =
         path_vertex(s, wo, !diffuse && (material.flags & MATERIAL_LIT_FROM_BELOW) != 0u);
+    if (path.water != 0u && path_sea_hides(path.water, material.flags)) {
+        at.groups = light_groups_near(at.groups);
+    }
     ChosenLight light = choose_light_point(at.groups, at.position, at.normal, u_choices.x,
                                            draw_at(path.draws, path.depth, DRAW_LIGHT));
     ShadingPoint p = load_shading_point(material, s, wo, u_others.x, diffuse);
@@ -316,15 +328,23 @@ void path_scatter(INOUT(PathState) path) {
     bool last = path.depth == f.max_bounces &&
                 (f.last_by_lights != 0u ||
                  (f.tree_nodes == 0u && p.bsdf.model == MODEL_LAMBERT));
+    Around around = path_around(path.water, path.attenuation, p);
     if (!bsdf_is_specular(p.bsdf)) {
-        ShadowedLight arrived =
-            shadowed_light(s, p, light, wo_local, wo, path.attenuation, !last, 0.0f);
+        ShadowedLight arrived = shadowed_light(s, p, light, wo_local, wo, around, !last, 0.0f);
         path.light = add_light(path.light, path.throughput * (arrived.f_cos * arrived.light),
                                path.depth + 1u);
         if (last) { return; }
     }
-    BsdfSample b = bsdf_sample(p.bsdf, wo_local, u_choices.y,
-                               draw_at(path.draws, path.depth, DRAW_BSDF));
+    vec2 u_bsdf = draw_at(path.draws, path.depth, DRAW_BSDF);
+    BsdfSample b = bsdf_sample(p.bsdf, wo_local, unguided(around.guided, u_choices.y), u_bsdf);
+    if (path.water != 0u) {
+        if (around.guided > 0.0f) {
+            GuidedSample next = guided_sample(p, wo_local, b, around.guided, u_choices.y, u_bsdf);
+            path.eta_scale *= next.narrowing;
+            b = next.b;
+        }
+        path.water = path_water_behind(path.water, p, around);
+    }
     path_leave(path, s, p, at, wo_local, b, roulette ? u_others.y : -1.0f);
 }
 
@@ -342,6 +362,7 @@ void path_continue(INOUT(PathState) path) {
         if (path.attenuation != vec3(0.0f)) {
             path.throughput *= medium_transmittance(path.attenuation, FLOAT_MAX);
         }
+        if ((path.water & PATH_LIT_THROUGH) != 0u) { path.throughput = vec3(0.0f); }
         path_end(path, sky_light(path.from, path.ray.direction, path.cone.spread,
                                  path.depth == 0u));
         return;

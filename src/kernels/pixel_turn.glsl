@@ -8,6 +8,7 @@
 #include "kernels/surface.glsl"
 #include "shading/bsdf/params.glsl"
 #include "shading/slope/ndf_filtering.glsl"
+#include "shading/slope/ndf_mixture.glsl"
 
 // Along one axis of the footprint, a pixel's diameter long; world space.
 struct PixelTurn {
@@ -91,16 +92,23 @@ vec3 turned_about_normal(vec3 w, vec2 axis) {
 }
 
 // A model with its widths filtered, and the turn about the normal that its frame needs: (cos, sin)
-// of the angle from the tangent to the axis of alpha_x.
+// of the angle from the tangent to the axis of alpha_x. shape: times all that is not diffuse.
 struct FilteredBsdf {
     BsdfParams bsdf;
     vec2 axis;
+    float shape;
 };
 
 // Models whose highlight is alpha_x and alpha_y wide and that derive nothing from that beforehand.
 bool ndf_filter_applies(uint model) {
     return model == MODEL_GLTF || model == MODEL_GGX_CONDUCTOR || model == MODEL_GGX_DIELECTRIC ||
            model == MODEL_BECKMANN_CONDUCTOR;
+}
+
+// Models whose highlight is one GGX lobe and nothing else but a diffuse part.
+bool ndf_is_ggx_alone(IN(BsdfParams) m) {
+    return m.model == MODEL_GGX_CONDUCTOR || m.model == MODEL_GGX_DIELECTRIC ||
+           (m.model == MODEL_GLTF && m.coat <= 0.0f && m.sheen_color == vec3(0.0f));
 }
 
 // dh0, dh1: changes of the half vector h, local; method: NDF_FILTER_, not NONE. A coat, which has
@@ -110,9 +118,11 @@ FilteredBsdf ndf_filtered_bsdf(IN(BsdfParams) m, IN(PixelTurns) t, vec3 h, vec3 
     FilteredBsdf filtered;
     filtered.bsdf = m;
     filtered.axis = vec2(1.0f, 0.0f);
+    filtered.shape = 1.0f;
     vec2 alpha2 = vec2(m.alpha_x * m.alpha_x, m.alpha_y * m.alpha_y);
     if (method == NDF_FILTER_TOKUYOSHI) {
         PrincipalWidths w = principal_widths(ndf_tokuyoshi(vec3(alpha2, 0.0f), dh0, dh1));
+        if (ndf_is_ggx_alone(m)) { filtered.shape = ndf_mixture_shape(alpha2, h, dh0, dh1); }
         filtered.axis = w.axis;
         alpha2 = vec2(w.alpha_x * w.alpha_x, w.alpha_y * w.alpha_y);
     } else if (method == NDF_FILTER_KAPLANYAN) {

@@ -12,7 +12,8 @@
 // Whether a ray sees the background itself, and not what the environment's table says of it.
 bool sky_is_traced(bool of_camera) {
     LET_REF(FrameConstants) f = load_frame();
-    return f.sky != 0u && (of_camera || (f.sky & SKY_DRAWN) == 0u);
+    return (f.sky & (SKY_TRACED | SKY_DRAWN)) != 0u &&
+           (of_camera || (f.sky & SKY_DRAWN) == 0u);
 }
 
 // No light falls on sky geometry: it shows its colour, and what it glows. Textures are read where

@@ -1,32 +1,13 @@
 // Surfaces of slopes (the model `glint`, the sea) in GP_MODE_LOCAL: light from all sides as a sum
-// over a few of their facets, and suns that are more than points.
+// over a few of their facets.
 // Based on: Dupuy et al. 2013, "Linear Efficient Antialiased Displacement and Reflectance Mapping",
 // section 5.
 // Resources: load_local_lighting, sample_sky, sample_sky_irradiance.
 #ifndef GP_KERNELS_SLOPE_LIGHTING_GLSL
 #define GP_KERNELS_SLOPE_LIGHTING_GLSL
 #include "kernels/shading_point.glsl"
-#include "shading/light/directional.glsl"
-#include "shading/slope/mean_slope.glsl"
 #include "shading/slope/slope_environment.glsl"
 #include "shared/scene_structs.glsl"
-
-// Below this sum of cosines of light and view no facet that matters reflects one into the other,
-// and the spread of those that do has no bound.
-#define SUN_LEAST_HEIGHT 1.0e-3f
-
-// The surface as it reflects a sun whose disc has a width: with slopes wider by those that the disc
-// takes, which has the same light, and the same variance of the highlight. What is lost is the
-// disc's sharp edge, where slopes are narrower than it.
-BsdfParams slopes_under_sun(BsdfParams m, vec3 wo_local, vec3 wi_local,
-                            IN(DirectionalLight) sun) {
-    vec2 mean = glint_mean(m);
-    bool reflects = slope_facing(mean, wo_local) > 0.0f && slope_facing(mean, wi_local) > 0.0f;
-    if (!reflects || wo_local.z + wi_local.z < SUN_LEAST_HEIGHT) { return m; }
-    float radius = sqrt(sun.one_minus_cos_max * (2.0f - sun.one_minus_cos_max));
-    return glint_with_slopes(m, slopes_widened(glint_material_slopes(m),
-                                               sun_slope_covariance(wo_local, wi_local, radius)));
-}
 
 // Mean radiance from so many steradians about a direction of the world. What is read is spread as
 // a texel is, three times as much as a box of its size: once by the texel, twice by reading between

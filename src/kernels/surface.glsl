@@ -57,6 +57,7 @@ vec3 bend_to_viewer(vec3 n, vec3 wo) {
 #define SURFACE_UV 1u       // texture coordinates and colours
 #define SURFACE_TANGENT 2u  // for normal maps and anisotropy
 #define SURFACE_FOOTPRINT 4u  // what pixel_turns asks: who wants it computes it
+#define SURFACE_PLACE 8u    // of all these only uv0 and the footprint: `frame` is that of ng
 
 vec3 surface_position(IN(Hit) hit) {
     LET_REF(InstanceRecord) instance = load_instance(hit.instance);
@@ -78,6 +79,17 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) 
     // A mirroring transform turns the winding; the front stays the front (glTF 2.0, 3.7.4).
     s.ng = ng * ((instance.mirrored != 0u ? -1.0f : 1.0f) / twice_area);
     s.front = dot(s.ng, direction) <= 0.0f ? 1u : 0u;
+    s.uv0 = vec2(0.0f);
+    s.uv1 = vec2(0.0f);
+    s.color = vec4(1.0f);
+    s.lod = 0.0f;
+    if (needs == SURFACE_PLACE) {
+        s.frame = frame_from_normal(s.ng);
+        s.uv0 = interpolate(c.uv0, c.uv1, c.uv2, hit.u, hit.v);
+        s.hit = hit;
+        s.cone = cone;
+        return s;
+    }
     vec3 n = transform_normal(
         instance, interpolate(octahedral_decode(c.normal0), octahedral_decode(c.normal1),
                               octahedral_decode(c.normal2), hit.u, hit.v));
@@ -85,10 +97,6 @@ Surface load_surface(IN(Hit) hit, vec3 direction, IN(RayCone) cone, uint needs) 
     n = n_squared > 0.0f ? n * inversesqrt(n_squared) : s.ng;
     n = dot(n, s.ng) < 0.0f ? -n : n;
     s.frame = frame_from_normal(n);
-    s.uv0 = vec2(0.0f);
-    s.uv1 = vec2(0.0f);
-    s.color = vec4(1.0f);
-    s.lod = 0.0f;
     if (needs == 0u) { return s; }
     if ((needs & SURFACE_FOOTPRINT) != 0u) {
         s.hit = hit;

@@ -9,7 +9,7 @@
 #define TONEMAP_REINHARD 2u
 
 // Linear Rec. 709 radiance to sRGB-encoded 0..1. Alpha passes unchanged.
-vec4 tonemap_pixel(vec4 color, float exposure_scale, uint tonemap) {
+IN_LOOPS vec4 tonemap_pixel(vec4 color, float exposure_scale, uint tonemap) {
     vec3 c = max(vec3(color) * exposure_scale, vec3(0.0f));
     if (tonemap == TONEMAP_AGX) {
         c = tonemap_agx(c);

@@ -1,9 +1,3 @@
-#include "shading/lang.h"
-
-GP_SHADING_BEGIN
-#include "shading/microfacet/beckmann.glsl"
-GP_SHADING_END
-
 #include "ocean/foam.h"
 
 #include <algorithm>
@@ -16,9 +10,6 @@ namespace gp {
 
 namespace {
 
-// Breaking is not that sharp even where all waves are known; also keeps edges from stairs.
-constexpr float leastWidth = 0.05f;
-
 template <class F>
 void overPoints(size_t count, const F& function) {
     tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 8192), function);
@@ -26,16 +17,12 @@ void overPoints(size_t count, const F& function) {
 
 }  // namespace
 
-Foam::Foam(const OceanSettings& s, float others)
+Foam::Foam(const OceanSettings& s)
     : count_(size_t(s.size) * s.size), decay_(double(s.foamDecay)) {
-    const float width = std::hypot(others, leastWidth);
     for (int i = 0; i < squeezeCodes; ++i) {
-        const float jacobian = squeezeLeast
-            + (squeezeMost - squeezeLeast) * float(i) / float(squeezeCodes - 1);
-        const float x = (s.foamThreshold - jacobian) / width;
-        share_[size_t(i)] = 0.5f + 0.5f * shading::erf_approximation(x * 0.70710678f);
-        // What erf rounds to: nothing, whatever the sign.
-        if (x < -5.0f) share_[size_t(i)] = 0.0f;
+        const double margin = double(squeezeMost) * (2.0 * i / (squeezeCodes - 1) - 1.0);
+        // Below, the codes of all that is farther away would add up to something.
+        share_[size_t(i)] = margin < -5.0 ? 0.0f : float(0.5 * std::erfc(-margin * M_SQRT1_2));
     }
 }
 
@@ -43,7 +30,7 @@ Foam::Foam(const OceanSettings& s, float others)
 bool Foam::remember(int64_t now, double tick, const Squeeze& squeeze) {
     bool changed = false;
     for (int64_t number = now - ticks + 1; number <= now; ++number) {
-        Tick& t = history_[size_t(((number % ticks) + ticks) % ticks)];
+        Tick& t = tickOf(number);
         if (t.number == number) continue;
         t.codes.resize(count_);
         squeeze(double(number) * tick, t.codes.data());
@@ -57,10 +44,12 @@ void Foam::gather(int64_t now) {
     trace_.resize(count_);
     overPoints(count_, [&](const tbb::blocked_range<size_t>& range) {
         std::fill(&trace_[range.begin()], &trace_[range.begin()] + range.size(), 0.0f);
-        for (const Tick& t : history_) {
-            const float faded = float(std::exp(-double(now - t.number) / ticksPerDecay));
+        const auto faded = float(std::exp(-1.0 / ticksPerDecay));
+        for (int64_t number = now - ticks + 1; number <= now; ++number) {
+            const Tick& t = tickOf(number);
             for (size_t i = range.begin(); i < range.end(); ++i) {
-                trace_[i] = std::max(trace_[i], faded * share_[t.codes[i]]);
+                const float p = share_[t.codes[i]];
+                trace_[i] = p + (1.0f - p) * faded * trace_[i];
             }
         }
     });
@@ -69,17 +58,21 @@ void Foam::gather(int64_t now) {
 
 void Foam::update(double seconds, const uint16_t* codes, OceanPoint* points,
                   const Squeeze& squeeze) {
-    float faded = 0.0f;
+    float faded = 0.0f, apart = 0.0f;
     if (decay_ > 0.0) {
         const double tick = decay_ / ticksPerDecay;
         const auto now = int64_t(std::floor(seconds / tick));
         if (remember(now, tick, squeeze) || gathered_ != now) gather(now);
-        faded = float(std::exp(-(seconds - double(now) * tick) / decay_));
+        apart = float(seconds / tick - double(now));
+        faded = float(std::exp(-double(apart) / ticksPerDecay));
     }
     overPoints(count_, [&](const tbb::blocked_range<size_t>& range) {
         for (size_t i = range.begin(); i < range.end(); ++i) {
+            const float p = share_[codes[i]];
             const float trace = decay_ > 0.0 ? faded * trace_[i] : 0.0f;
-            points[i].foam = std::max(share_[codes[i]], trace);
+            // From the same event as the last tick's, at the tick, to one of its own at the next.
+            const float same = std::max(p, trace), other = p + (1.0f - p) * trace;
+            points[i].foam = same + apart * (other - same);
         }
     });
 }

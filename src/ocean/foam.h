@@ -1,9 +1,9 @@
 // Foam of one cascade: where the water is squeezed so much that it breaks, fading afterwards. It is
 // a function of time alone, not of the frames that were shown: what is remembered are Jacobians at
 // fixed ticks of time, which can be computed at any moment.
-// Based on: Dupuy and Bruneton 2012, "Real-time Animation and Rendering of Ocean Whitecaps": foam
-// is the chance that the Jacobian is below a threshold, given what is known of it. Here the other
-// cascades are what is not known.
+// Foam is the chance of breaking given the waves of the cascade (breaking.h). What the others do is
+// another thing at each tick: the trace that is expected of ticks is that of independent events,
+// and so of about the same mean in all cascades.
 #pragma once
 
 #include <array>
@@ -17,8 +17,7 @@ namespace gp {
 
 class Foam {
 public:
-    // others: standard deviation of the Jacobian by the waves of all other cascades.
-    Foam(const OceanSettings& settings, float others);
+    explicit Foam(const OceanSettings& settings);
 
     // Fills `codes` with the squeeze codes at a time, s.
     using Squeeze = std::function<void(double seconds, uint16_t* codes)>;
@@ -41,9 +40,12 @@ private:
         int64_t number = INT64_MIN;
         std::vector<uint16_t> codes;
     };
+    Tick& tickOf(int64_t number) {
+        return history_[size_t(((number % ticks) + ticks) % ticks)];
+    }
     std::array<Tick, ticks> history_;
     int64_t gathered_ = INT64_MIN;
-    std::vector<float> trace_;  // of all ticks up to the gathered one, as it is then
+    std::vector<float> trace_;  // of all ticks up to the gathered one, as is expected then
 };
 
 }  // namespace gp

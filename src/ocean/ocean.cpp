@@ -25,18 +25,18 @@ const WaveKernels& waveKernels() {
 
 namespace {
 
-// Standard deviation of the Jacobian by all cascades but one: to first order that of the sum of
-// both stretches, whose variance is choppiness^2 times that of the slope.
-float squeezeOfOthers(const OceanSettings& s, const SpectrumTable& table, uint32_t cascade) {
-    double variance = 0.0;
-    for (uint32_t i = 0; i < s.cascades; ++i) {
-        if (i == cascade) continue;
-        const WaveBand band = waveBand(s, i);
-        const SpectrumTable::Node a = table.above(double(band.first));
-        const SpectrumTable::Node b = table.above(double(band.end));
-        variance += a.along + a.across - b.along - b.across;
+// Covariance that the waves of all cascades but one have.
+StretchCovariance stretchOfOthers(const std::vector<OceanCascade>& cascades, size_t known,
+                                  float choppiness) {
+    StretchCovariance sum;
+    for (size_t i = 0; i < cascades.size(); ++i) {
+        if (i == known) continue;
+        const StretchCovariance c = stretchCovariance(cascades[i].waves, choppiness);
+        sum.uu += c.uu, sum.vv += c.vv, sum.cc += c.cc;
+        sum.uv += c.uv, sum.uc += c.uc, sum.vc += c.vc;
     }
-    return s.choppiness * float(std::sqrt(std::max(variance, 0.0)));
+    sum.uu = std::max(sum.uu, breakingLeastWidth * breakingLeastWidth);
+    return sum;
 }
 
 // Their geometric mean over their product; 0 where a cascade has no foam at all.
@@ -52,10 +52,10 @@ float foamScaleOf(const std::vector<OceanCascade>& cascades) {
 
 }  // namespace
 
-OceanCascade::OceanCascade(const OceanSettings& s, uint32_t cascade, float others)
-    : waves(makeWaves(s, cascade)), foam(s, others) {
+OceanCascade::OceanCascade(const OceanSettings& s, uint32_t cascade)
+    : waves(makeWaves(s, cascade)), foam(s) {
     const size_t count = size_t(s.size) * s.size;
-    points.resize(count);
+    points.resize(count + 1);
     squeeze.resize(count);
     const size_t bytes = 8 * count * sizeof(float);
     between.reset(static_cast<float*>(std::aligned_alloc(64, bytes)));
@@ -65,10 +65,11 @@ OceanCascade::OceanCascade(const OceanSettings& s, uint32_t cascade, float other
 
 Ocean::Parts::Parts(const OceanSettings& s)
     : settings(s), kernels(waveKernels()), plan(kernels.newPlan(s.size), kernels.freePlan),
-      table(makeSpectrumTable(s)) {
+      spectrum(makeSpectrumTable(s)) {
     cascades.reserve(s.cascades);
-    for (uint32_t i = 0; i < s.cascades; ++i) {
-        cascades.emplace_back(s, i, squeezeOfOthers(s, table, i));
+    for (uint32_t i = 0; i < s.cascades; ++i) cascades.emplace_back(s, i);
+    for (size_t i = 0; i < cascades.size(); ++i) {
+        cascades[i].breaking = {s.foamThreshold, stretchOfOthers(cascades, i, s.choppiness)};
     }
 }
 
@@ -82,6 +83,7 @@ void Ocean::Parts::transform(OceanCascade& cascade, double when, uint16_t* squee
     task.choppiness = settings.choppiness;
     task.squeezeOnly = squeezeOnly;
     task.points = cascade.points.data();
+    task.breaking = cascade.breaking;
     task.squeeze = squeeze;
     const uint32_t groups = settings.size / kernels.lanes;
     tbb::parallel_for(0u, groups, [&](uint32_t g) { kernels.columns(task, g); });
@@ -99,7 +101,14 @@ void Ocean::Parts::update(double seconds) {
                             });
         cascade.slopes.build(cascade.points.data(), settings.size);
     }
-    foamScale = foamScaleOf(cascades);
+    for (const OceanCascade& c : cascades) {
+        const float texel = c.waves.length / float(settings.size);
+        table.cascades[&c - cascades.data()] = {
+            1.0f / c.waves.length, 1.0f / texel, texel, settings.size, c.slopes.levels(),
+            c.points.data(), c.slopes.nodes()};
+    }
+    table.count = uint32_t(cascades.size());
+    table.foamScale = foamScaleOf(cascades);
 }
 
 Ocean::Ocean(const OceanSettings& settings) : parts_(std::make_unique<Parts>(settings)) {
@@ -114,7 +123,7 @@ double Ocean::time() const { return parts_->time; }
 const OceanSettings& Ocean::settings() const { return parts_->settings; }
 
 OceanMoments Ocean::momentsAbove(float k) const {
-    const SpectrumTable::Node node = parts_->table.above(double(k));
+    const SpectrumTable::Node node = parts_->spectrum.above(double(k));
     const double c = std::cos(double(settings().windDirection));
     const double s = std::sin(double(settings().windDirection));
     return {float(node.along * c * c + node.across * s * s),
@@ -124,7 +133,9 @@ OceanMoments Ocean::momentsAbove(float k) const {
 
 OceanMoments Ocean::tail() const { return momentsAbove(band(settings().cascades - 1).end); }
 
-float Ocean::varianceAbove(float k) const { return float(parts_->table.above(double(k)).variance); }
+float Ocean::varianceAbove(float k) const {
+    return float(parts_->spectrum.above(double(k)).variance);
+}
 
 float Ocean::significantHeight() const { return 4.0f * std::sqrt(varianceAbove(0.0f)); }
 

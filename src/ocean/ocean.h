@@ -18,9 +18,8 @@ namespace gp {
 
 // Area of a displaced surface, seen from above, over that at rest; below 0 it folds over. Given:
 // derivatives of the horizontal displacement, dDx/dx, dDy/dy, dDx/dy (= dDy/dx).
-template <class T>
-constexpr T oceanJacobian(T xx, T yy, T xy) {
-    return (T(1.0f) + xx) * (T(1.0f) + yy) - xy * xy;
+constexpr float oceanJacobian(float xx, float yy, float xy) {
+    return (1.0f + xx) * (1.0f + yy) - xy * xy;
 }
 
 // A point of one cascade, or the sum of all. Derivatives are by undisplaced x and y.

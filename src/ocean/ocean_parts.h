@@ -17,7 +17,7 @@ struct OceanCascade {
         void operator()(float* p) const { std::free(p); }
     };
 
-    OceanCascade(const OceanSettings& settings, uint32_t cascade, float others);
+    OceanCascade(const OceanSettings& settings, uint32_t cascade);
 
     const OceanPoint& point(int ix, int iy) const {
         const uint32_t n = waves.size;
@@ -26,7 +26,8 @@ struct OceanCascade {
 
     Waves waves;
     std::unique_ptr<float, Free> between;  // of WaveTask
-    std::vector<OceanPoint> points;        // rows of y
+    std::vector<OceanPoint> points;        // rows of y, and one that is only read along with others
+    BreakingLaw breaking;                  // of these waves; Parts sets it
     std::vector<uint16_t> squeeze;
     Foam foam;
     SlopePyramid slopes;
@@ -36,19 +37,16 @@ struct Ocean::Parts {
     explicit Parts(const OceanSettings& settings);
 
     void update(double seconds);
-    // One cascade at one time: its points, or only the Jacobians' codes.
+    // One cascade at one time: its points, or only the codes of breaking.
     void transform(OceanCascade& cascade, double when, uint16_t* squeeze, bool squeezeOnly);
 
     OceanSettings settings;
     const WaveKernels& kernels;
     std::unique_ptr<void, void (*)(void*)> plan;
-    SpectrumTable table;
+    SpectrumTable spectrum;
     std::vector<OceanCascade> cascades;
+    OceanTable table;                      // of what stands in the cascades
     double time = 0.0;
-    // What foam of all cascades is, over the product of that of each. Each is the chance of foam
-    // given one cascade alone, and their means are nearly the same: given all, it is the mean times
-    // what each changes it by, if they are independent.
-    float foamScale = 0.0f;
 };
 
 }  // namespace gp

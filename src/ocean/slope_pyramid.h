@@ -8,67 +8,27 @@
 #include <cstdint>
 #include <vector>
 
-#include <glm/glm.hpp>
-
-#include "ocean/ocean.h"
+#include "ocean/slope_node.h"
 
 namespace gp {
-
-// Three vectors of four floats, which SlopeSum adds as such.
-struct alignas(16) SlopeNode {
-    float foam = 0.0f;
-    float weight = 0.0f;    // horizontal area over that at rest, at least oceanLeastJacobian
-    glm::vec2 mean{0.0f};   // of slopes, by that weight
-    glm::vec3 cov{0.0f};    // xx, yy, xy about the mean
-    glm::vec2 gradient{0.0f};  // plain means, as of OceanPoint
-    glm::vec3 stretch{0.0f};
-};
-
-// Of a single point: nothing varies.
-SlopeNode slopeNode(const OceanPoint& point);
-
-// Gathers nodes into one. Moments are about the mean of the first until the end.
-class SlopeSum {
-public:
-    // share: of the area at rest, above 0. Inline, since a pixel adds up to a hundred.
-    void add(const SlopeNode& node, float share) {
-        Four v[3];
-        __builtin_memcpy(v, &node, sizeof(v));
-        const float w = share * node.weight;
-        if (share_ == 0.0f) about_ = Four{0.0f, 0.0f, node.mean.x, node.mean.y};
-        share_ += share;
-        const Four d = v[0] - about_;
-        sums_[0] += Four{share, share, w, w} * d;
-        sums_[1] += Four{w, w, w, share}
-                  * (v[1] + Four{d[2] * d[2], d[3] * d[3], d[2] * d[3], 0.0f});
-        sums_[2] += share * v[2];
-    }
-    SlopeNode node() const;  // of at least one
-
-private:
-    typedef float Four __attribute__((vector_size(16)));
-
-    float share_ = 0.0f;
-    Four about_{};
-    Four sums_[3]{};  // as SlopeNode: first moments for means, second ones for cov
-};
 
 class SlopePyramid {
 public:
     // size * size points, rows of y.
     void build(const OceanPoint* points, uint32_t size);
     // Level 0 are the points themselves, and the last one is a single node.
-    uint32_t levels() const { return uint32_t(levels_.size()) + 1; }
+    uint32_t levels() const { return levels_; }
     // level from 1 on; indices wrap around.
     const SlopeNode& at(uint32_t level, int ix, int iy) const {
-        const uint32_t n = size_ >> level;
-        return levels_[level - 1][size_t(uint32_t(iy) & (n - 1)) * n + (uint32_t(ix) & (n - 1))];
+        return nodes_[slopeNodeIndex(size_, level, ix, iy)];
     }
-    const SlopeNode& whole() const { return levels_.back()[0]; }
+    const SlopeNode& whole() const { return nodes_.back(); }
+    // In the order of slopeNodeIndex.
+    const SlopeNode* nodes() const { return nodes_.data(); }
 
 private:
-    uint32_t size_ = 0;
-    std::vector<std::vector<SlopeNode>> levels_;
+    uint32_t size_ = 0, levels_ = 0;
+    std::vector<SlopeNode> nodes_;
 };
 
 }  // namespace gp

@@ -1,10 +1,12 @@
 // The hot code of the sea, once for each instruction set (isa/): from waves to the surface by
-// inverse FFTs, several columns or rows at once, one in each lane of a vector.
+// inverse FFTs, several columns or rows at once, one in each lane of a vector; and what a pixel
+// reads of it.
 #pragma once
 
 #include <cstdint>
 
-#include "ocean/ocean.h"
+#include "ocean/breaking.h"
+#include "ocean/ocean_table.h"
 #include "ocean/wave_spectrum.h"
 
 namespace gp {
@@ -19,11 +21,12 @@ struct WaveTask {
     float choppiness = 1.0f;
     bool squeezeOnly = false;     // only `squeeze` is wanted: half of the fields
     OceanPoint* points = nullptr; // size * size, rows of y; foam stays as it is
-    uint16_t* squeeze = nullptr;  // size * size Jacobians as codes (squeezeCode)
+    BreakingLaw breaking;
+    uint16_t* squeeze = nullptr;  // size * size breakingMargins as codes
 };
 
-// Jacobians between these two in 1,024 steps, for tables of foam.
-constexpr float squeezeLeast = -0.5f, squeezeMost = 2.0f;
+// Margins from -squeezeMost to squeezeMost in 1,024 steps, for tables of foam.
+constexpr float squeezeMost = 6.0f;
 constexpr int squeezeCodes = 1024;
 
 struct WaveKernels {
@@ -33,6 +36,7 @@ struct WaveKernels {
     void (*freePlan)(void* plan);
     void (*columns)(const WaveTask& task, uint32_t group);
     void (*rows)(const WaveTask& task, uint32_t group);
+    OceanSlopes (*slopes)(const OceanTable& table, glm::vec2 rest, glm::vec2 d0, glm::vec2 d1);
 };
 
 namespace waves {

@@ -169,6 +169,30 @@ Waves makeWaves(const OceanSettings& s, uint32_t cascade) {
     return waves;
 }
 
+StretchCovariance stretchCovariance(const Waves& w, float choppiness) {
+    double uu = 0.0, vv = 0.0, cc = 0.0, uv = 0.0, uc = 0.0, vc = 0.0;
+    const double dk = 2.0 * M_PI / double(w.length);
+    for (int mx = -w.reach; mx <= w.reach; ++mx) {
+        for (int my = -w.reach; my <= w.reach; ++my) {
+            const size_t i = size_t(uint32_t(mx) & (w.size - 1)) * w.size
+                           + (uint32_t(my) & (w.size - 1));
+            const auto square = [](float x) { return double(x) * double(x); };
+            const double variance = 0.5 * (square(w.cosRe[i]) + square(w.cosIm[i])
+                                           + square(w.sinRe[i]) + square(w.sinIm[i]));
+            if (variance <= 0.0) continue;
+            // The stretch is -k k^T / |k| of the height: of u, v and c with twice the angle of k.
+            const double kx = dk * mx, ky = dk * my, k2 = kx * kx + ky * ky;
+            const double cosine = (kx * kx - ky * ky) / k2, sine = 2.0 * kx * ky / k2;
+            const double e = 0.25 * k2 * variance;
+            uu += e, vv += e * cosine * cosine, cc += e * sine * sine;
+            uv += e * cosine, uc += e * sine, vc += e * cosine * sine;
+        }
+    }
+    const double l2 = double(choppiness) * double(choppiness);
+    return {float(l2 * uu), float(l2 * vv), float(l2 * cc),
+            float(l2 * uv), float(l2 * uc), float(l2 * vc)};
+}
+
 SpectrumTable makeSpectrumTable(const OceanSettings& s) {
     constexpr int count = 2048;
     SpectrumTable table;

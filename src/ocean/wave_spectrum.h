@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ocean/breaking.h"
 #include "ocean/ocean_settings.h"
 
 namespace gp {
@@ -30,6 +31,9 @@ struct Waves {
 };
 
 Waves makeWaves(const OceanSettings& settings, uint32_t cascade);
+
+// Of the displacement's derivatives by these waves, as they are on average over time.
+StretchCovariance stretchCovariance(const Waves& waves, float choppiness);
 
 // Variance of the spectrum in bin (mx, my), m^2: its integral over the bin's square, inside of the
 // cascade's band.

@@ -1,27 +1,22 @@
 // Makes the dictionary of glints (layout: shading/glint/dictionary.glsl).
 //
-// Every entry draws its own lobes, but the j-th lobes of all entries together lie on all quantiles
-// of the normal distribution, in an order shuffled anew for each j. So an entry is as uneven as
-// independent draws are, while the mean over entries is normal at every level: with independent
-// draws across entries too, that mean is off by 23 % at level 0.
+// The leaves of the trees lie on all quantiles of the normal distribution, so that the mean over
+// the rows of any level is normal; an Owen scramble orders them, so that the leaves below every
+// node are stratified too, and uneven within their strata.
 #include "scene/glint_dictionary.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
-
-#include <tbb/parallel_for.h>
 
 #include "shading/lang.h"
 
 GP_SHADING_BEGIN
 #include "shading/glint/dictionary.glsl"
 #include "shading/microfacet/beckmann.glsl"
-#include "shading/sampling/hash.glsl"
+#include "shading/sampling/sobol.glsl"
 GP_SHADING_END
 
 namespace gp {
@@ -32,8 +27,6 @@ using namespace shading;
 // Where lobes may lie, in standard deviations: 513 points of [0, 4], a seventh of a lobe apart.
 constexpr size_t places = 513;
 constexpr double placeStep = double(GLINT_REACH) / (places - 1);
-// Quantiles that a lobe may take within its share of 1 / GLINT_ENTRIES.
-constexpr uint shifts = 64;
 
 double normalCdf(double x) { return 0.5 * std::erfc(-x * M_SQRT1_2); }
 
@@ -48,10 +41,9 @@ double binAverage(double low, double high, double mean, double width) {
 
 class DictionaryMaker {
 public:
-    DictionaryMaker() : words_(GLINT_WORDS), lobes_(GLINT_ENTRIES), rows_(places) {}
+    DictionaryMaker() : words_(GLINT_WORDS), rows_(places) {}
 
     std::vector<float> make() {
-        makeQuantiles();
         for (uint width = 0; width < 4; ++width) makeWidth(width);
         const GlintBins normal = glint_bins(0, 4);
         const double step = double(GLINT_REACH) / normal.count;
@@ -59,11 +51,9 @@ public:
             words_[normal.base + bin] =
                 float(binAverage(bin * step, (bin + 1) * step, 0.0, lobeWidth(1.0, step)));
         }
-        uint lobe = 0;
-        for (uint level = 0; level < uint(GLINT_LEVELS); ++level) {
-            for (; lobe < (1u << level); ++lobe) addLobe(lobe);
-            tbb::parallel_for(0u, GLINT_ENTRIES, [&](uint entry) { makeRow(level, entry); });
-        }
+        for (uint leaf = 0; leaf < GLINT_LEAVES; ++leaf) makeLeaf(leaf);
+        for (uint level = 1; level < uint(GLINT_LEVELS); ++level)
+            for (uint entry = 0; entry < glint_entries(level); ++entry) makeParent(level, entry);
         return std::move(words_);
     }
 
@@ -71,16 +61,6 @@ private:
     // Averages over bins and linear reading between them add step^2 / 12 and step^2 / 6.
     static double lobeWidth(double total, double step) {
         return std::sqrt(total * total - 0.25 * step * step);
-    }
-
-    // Of |x|, x normal, as places and the share of the next place.
-    void makeQuantiles() {
-        quantiles_.resize(size_t(GLINT_ENTRIES) * shifts);
-        for (size_t i = 0; i < quantiles_.size(); ++i) {
-            const double p = (double(i) + 0.5) / double(quantiles_.size());
-            quantiles_[i] =
-                std::min(float(M_SQRT2 / placeStep) * erf_inverse(float(p)), float(places) - 1.01f);
-        }
     }
 
     // What a lobe at each place adds to the bins of one width.
@@ -98,38 +78,29 @@ private:
         }
     }
 
-    // The lobe of this number in all entries: one quantile each. [Fisher and Yates]
-    void addLobe(uint lobe) {
-        std::array<uint, GLINT_ENTRIES> order;
-        std::iota(order.begin(), order.end(), 0u);
-        for (uint i = GLINT_ENTRIES - 1; i > 0; --i)
-            std::swap(order[i], order[hash_u32(lobe * GLINT_ENTRIES + i) % (i + 1)]);
-        // The lobes that a level adds to the one before take all shifts alike.
-        const uint block = std::max(std::bit_floor(lobe), 1u);
-        const uint shift = (2 * (lobe % block) + 1) * (shifts / 2) / block % shifts;
-        for (uint entry = 0; entry < GLINT_ENTRIES; ++entry) {
-            const float at = quantiles_[order[entry] * shifts + shift];
-            const auto place = size_t(at);
-            lobes_[entry][place] += 1.0f - (at - float(place));
-            lobes_[entry][place + 1] += at - float(place);
-        }
+    void makeLeaf(uint leaf) {
+        const uint quantile = owen_scramble(leaf << (32 - GLINT_LEVELS), 0x7a3c91e5u) >>
+                              (32 - GLINT_LEVELS);
+        const float p = (float(quantile) + 0.5f) / float(GLINT_LEAVES);
+        // Of |x|, x normal.
+        const float at =
+            std::min(float(M_SQRT2 / placeStep) * erf_inverse(p), float(places) - 1.01f);
+        const auto place = size_t(at);
+        const float next = at - float(place);
+        for (uint i = 0; i < GLINT_ROW; ++i)
+            words_[glint_row(0, leaf) + i] =
+                (1.0f - next) * rows_[place][i] + next * rows_[place + 1][i];
     }
 
-    void makeRow(uint level, uint entry) {
-        std::array<float, GLINT_ROW> row{};
-        const float share = std::ldexp(1.0f, -int(level));
-        for (size_t place = 0; place < places; ++place) {
-            const float weight = share * lobes_[entry][place];
-            if (weight == 0.0f) continue;
-            for (size_t i = 0; i < GLINT_ROW; ++i) row[i] += weight * rows_[place][i];
-        }
-        std::copy(row.begin(), row.end(),
-                  words_.begin() + (level * GLINT_ENTRIES + entry) * GLINT_ROW);
+    void makeParent(uint level, uint entry) {
+        const uint first = glint_row(level - 1, entry);
+        const uint second = glint_row(level - 1, entry + glint_entries(level));
+        for (uint i = 0; i < GLINT_ROW; ++i)
+            words_[glint_row(level, entry) + i] =
+                0.5f * (words_[first + i] + words_[second + i]);
     }
 
     std::vector<float> words_;
-    std::vector<float> quantiles_;
-    std::vector<std::array<float, places>> lobes_;     // of each entry so far, by place
     std::vector<std::array<float, GLINT_ROW>> rows_;  // of a lobe at each place
 };
 

@@ -8,7 +8,7 @@
 namespace gp {
 
 // GLINT_WORDS floats, as shading/glint/dictionary.glsl lays them out. The first call makes them, in
-// some hundredths of a second on all cores; the same numbers every time. They live until the
+// some milliseconds; the same numbers every time. They live until the
 // program ends. Thread-safe. Throws std::bad_alloc.
 const std::vector<float>& glintWords();
 

@@ -22,6 +22,7 @@ struct MaterialLayer {
     float weight = 1;
     TextureUse mask;
     uint32_t channel = 0;              // of the mask
+    bool squared = false;              // its square counts; the weight is 1 then
 };
 
 // Whether a material is that of the sea, which the renderer gives its waves; deep: nothing is seen

@@ -39,7 +39,7 @@ std::shared_ptr<Material> waterOf(const SeaSettings& s, const Ocean& ocean) {
     bsdf->set("base_color", fmt::format("{},{},{}", r.x, r.y, r.z));
     water->layers = {{.bsdf = std::move(bsdf), .weight = 1, .mask = {}, .channel = 0}};
     water->sea = s.clear ? SeaWater::clear : SeaWater::deep;
-    const glm::vec3 lost = s.absorption + s.backscattering;
+    const glm::vec3 lost = seaAttenuation(s);
     const float most = std::max({lost.x, lost.y, lost.z});
     if (most > 0) {
         water->attenuationColor = glm::exp(-lost / most);
@@ -53,11 +53,11 @@ void displace(const SeaGrid& grid, const std::vector<glm::vec2>& points, glm::ve
               float height, float level, const SeaShape& shape, glm::vec3* positions) {
     const Lattice lattice = grid.lattice();
     tbb::parallel_for(0u, lattice.rows, [&](uint32_t row) {
-        const float cell = grid.cell(std::max(row, 1u) - 1, height);
+        const SeaShape::Detail detail = shape.detail(grid.cell(std::max(row, 1u) - 1, height));
         const size_t first = size_t(row) * lattice.columns;
         for (size_t i = first; i < first + lattice.columns; ++i) {
             const glm::vec2 rest = centre + points[i];
-            const glm::vec3 p = glm::vec3(rest, 0) + shape.at(rest, cell);
+            const glm::vec3 p = glm::vec3(rest, 0) + SeaShape::at(rest, detail);
             positions[i] = worldFromSea(p) + glm::vec3(0, level, 0);
         }
     });
@@ -77,6 +77,8 @@ glm::vec3 normalAt(const SeaGrid& grid, const glm::vec3* p, uint32_t row, uint32
 }
 
 }  // namespace
+
+glm::vec3 seaAttenuation(const SeaSettings& s) { return s.absorption + s.backscattering; }
 
 // The ratio of back-scattering to absorption, for a high sun. [Morel and Prieur 1977, "Analysis of
 // variations in ocean color", Limnology and Oceanography 22(4), equation 2]
@@ -125,22 +127,24 @@ bool Sea::place(const Camera& camera, bool motion) {
 }
 
 void Sea::fill(const Placement& now, bool motion) {
-    if (now.time != placed_.time) {
+    const bool later = now.time != placed_.time;
+    if (later) {
         std::swap(shape_, pastShape_);
         placed_.time = 0;  // should the next line fail, nothing is known of the triangles' time
         shape_.read(ocean_);
-    } else {
-        pastShape_ = shape_;
     }
     const std::vector<glm::vec2> points = seaGridPoints(grid_, now.place.height);
     const size_t count = points.size();
-    // One more: Embree reads 16 bytes of each.
-    std::vector<glm::vec3> positions(count + 1), before(motion ? count + 1 : 0);
-    std::vector<ShadingVertex> vertices(count);
+    // What the mesh had last but one is written over. One more: Embree reads 16 bytes of each.
+    std::vector<glm::vec3>&positions = next_.positions, &before = next_.before;
+    std::vector<ShadingVertex>& vertices = next_.vertices;
+    positions.resize(count + 1), before.resize(motion ? count + 1 : 0), vertices.resize(count);
     const auto [centre, height] = now.place;
     displace(grid_, points, centre, height, settings_.level, shape_, positions.data());
-    if (motion)
+    if (motion && later)
         displace(grid_, points, centre, height, settings_.level, pastShape_, before.data());
+    else if (motion)
+        before = positions;
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
         const uint32_t columns = grid_.lattice().columns;
         const glm::vec3 normal = normalAt(grid_, positions.data(), uint32_t(i / columns),
@@ -164,6 +168,11 @@ OceanSlopes Sea::slopes(glm::vec2 rest, glm::vec2 d0, glm::vec2 d1) const {
     s.varX += tail_.xx, s.varY += tail_.yy, s.cov += tail_.xy;
     s.foam *= settings_.foam;
     return s;
+}
+
+bool Sea::isBelow(const Camera& camera) const {
+    const glm::vec3 eye = camera.position;
+    return camera.kind != CameraKind::orthographic && eye.y < at(eye.x, eye.z).height;
 }
 
 SeaPoint Sea::at(float x, float z) const {

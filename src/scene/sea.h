@@ -56,6 +56,8 @@ public:
     bool place(const Camera& camera, bool motion);
     // Of the surface at the time of setTime, not of triangles.
     SeaPoint at(float x, float z) const;
+    // Whether the view starts in the water. That of parallel views starts nowhere: never.
+    bool isBelow(const Camera& camera) const;
     // Over a footprint, as Ocean::slopes, with the waves below its grids and the foam of settings.
     OceanSlopes slopes(glm::vec2 rest, glm::vec2 d0, glm::vec2 d1) const;
 
@@ -81,8 +83,15 @@ private:
     std::shared_ptr<Instance> instance_;
     uint64_t times_ = 1;            // how often time has been set
     Placement placed_;              // time 0: never
-    SeaShape shape_, pastShape_;    // of placed_.time, and of the placement before, if another
+    SeaShape shape_, pastShape_;    // of placed_.time, and of another time that was placed before
+    struct {
+        std::vector<glm::vec3> positions, before;
+        std::vector<ShadingVertex> vertices;
+    } next_;                        // memory for the mesh
 };
+
+// What the water takes of light on its way, 1/m: absorbed, or scattered back.
+glm::vec3 seaAttenuation(const SeaSettings& settings);
 
 // The share of light that comes back out of deep water, just below its surface.
 glm::vec3 seaReflectance(const SeaSettings& settings);

@@ -69,7 +69,7 @@ struct RealtimeConstants {
     uint relights;           // 1: a denoiser has run over the indirect light
     uint indirect_reuse;     // LIGHT_REUSE_
     uint scene_changed;      // 1: something is not as it was in the last frame
-    uint pad0;
+    uint suns_apart;         // 1: surfaces of slopes keep their reflection of suns in `sun`
     SeaMotion sea;
 #define X(name, initial, minimum, maximum, text) float name;
 #include "shared/denoiser_parameters.def"

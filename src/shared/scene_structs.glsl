@@ -135,7 +135,7 @@ struct BsdfLayerRecord {
     uint channel;          // of the mask, 0 to 3; NO_INDEX: the weight alone counts
     float weight;
     uint bsdf;             // its parameters, for load_bsdf
-    uint pad0;
+    uint squared;          // 1: the mask counts by its square, as widths go with roughness
 };
 
 // How a texture layer meets the colour below it: GpLayerBlend.
@@ -263,6 +263,12 @@ struct EnvironmentCell {
 #define SKY_TRACED 1u  // sky geometry lies before it (kernels/sky.glsl)
 #define SKY_DRAWN 2u   // rasterised geometry too: rays see the table, but those of the camera do
                        // not, into whose picture it is drawn later
+// Beside them: rays of the camera that meet nothing see no sky and no sun.
+#define SKY_HIDDEN 4u
+
+// Bits of FrameConstants::water.
+#define WATER_CAMERA 1u  // the camera is below the sea
+#define WATER_BENDS 2u   // shadow rays go through the sea above as if that were calm: real time
 
 // What a frame is, for every kernel: gp::FramePlan and the scene's constants.
 struct FrameConstants {
@@ -292,6 +298,16 @@ struct FrameConstants {
     uint sky;                  // SKY_ bits
     vec3 sky_viewer;           // where sky geometry is seen from
     uint background_image;     // 1: background_color multiplies an image
+    vec3 water_attenuation;    // of the sea's water, 1/m
+    uint water;                // WATER_ bits
+    float water_var_x;         // of slopes, by which kernels/sea_guide.glsl draws directions
+    float water_var_y;
+    float water_cov;
+    float water_ior;
+    float water_level;         // y of the sea at rest; -FLOAT_MAX: there is none
+    float water_guided;        // share of directions that are drawn so
+    float pad0;
+    float pad1;
 };
 
 // Where GP_MODE_LOCAL computes light: GpShadingFrequency.

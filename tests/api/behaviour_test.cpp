@@ -227,6 +227,17 @@ TEST(Behaviour, ImagesKeepTheirValues) {
     }
 }
 
+// The float next to 1.01 is below it, and means the same.
+TEST(Behaviour, RangesHoldTheFloatsOfTheirEnds) {
+    World w;
+    GpOceanDesc sea{};
+    sea.cascades = 1, sea.resolution = 16;
+    sea.ior = 1.01f;
+    EXPECT_EQ(gpSetOcean(w.scene, &sea), GP_SUCCESS);
+    sea.ior = 1.009f;
+    EXPECT_EQ(gpSetOcean(w.scene, &sea), GP_ERROR_OUT_OF_RANGE);
+}
+
 TEST(Behaviour, CamerasLookingDownNeedNoUp) {
     World w;
     GpCameraDesc camera{};

@@ -203,6 +203,12 @@ Rows frameRows() {
                 "gp_misuse.exr", 1u << GP_IMAGE_COUNT),
         saveRow("a folder that is not there", GP_ERROR_FILE_WRITE, "gp_misuse.png",
                 "gp/no/such/folder/gp_misuse.png"),
+        {"gpSaveFrame", "alpha in a .hdr", GP_ERROR_INVALID_ARGUMENT, "options.alpha: .hdr",
+         [](World& w) {
+             GpSaveOptions options{};
+             options.alpha = 1;
+             return gpSaveFrame(w.frame, (w.folder + "gp_misuse.hdr").c_str(), &options);
+         }},
         {"gpGetFrameStatistics", "no place for them", GP_ERROR_INVALID_ARGUMENT,
          "statistics is NULL", [](World& w) { return gpGetFrameStatistics(w.frame, nullptr); }},
     };

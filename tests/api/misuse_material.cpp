@@ -156,6 +156,26 @@ void addLibraryRows(Rows& rows) {
                     [](World& w) {
                         return gpReplaceMaterial(nullptr, nullptr, w.material, nullptr);
                     }});
+    addHandleRows<GpMaterial>(rows, "gpReplaceMaterialModel", "material",
+                              [](World& w, GpMaterial m) {
+                                  return gpReplaceMaterialModel(w.scene, nullptr, m, 0, nullptr);
+                              });
+    rows.push_back({"gpReplaceMaterialModel", "no scene", GP_ERROR_INVALID_HANDLE, "scene is NULL",
+                    [](World& w) {
+                        return gpReplaceMaterialModel(nullptr, nullptr, w.material, 0, nullptr);
+                    }});
+    rows.push_back({"gpReplaceMaterialModel", "maps that cannot be kept", GP_ERROR_INVALID_ARGUMENT,
+                    "keep has unknown bits: 0x80", [](World& w) {
+                        GpReplacedMaterials replaced = {7, 7, 7};
+                        const GpError error = gpReplaceMaterialModel(
+                            w.scene, nullptr, w.material, GP_MAP_OTHERS, &replaced);
+                        return replaced.instances == 7 ? error : GP_ERROR_UNKNOWN;
+                    }});
+    rows.push_back({"gpReplaceMaterialModel", "an animated material", GP_ERROR_INVALID_ARGUMENT,
+                    "material is animated", [](World& w) {
+                        const GpMaterial animated = gpNewAnimatedMaterial(w.device, &w.material, 1);
+                        return gpReplaceMaterialModel(w.scene, nullptr, animated, 0, nullptr);
+                    }});
 }
 
 }  // namespace

@@ -297,6 +297,12 @@ Rows renderRows() {
                           camera.position[0] = 5;
                           return gpRender(w.frame, w.scene, &camera, &options);
                       }),
+        accumulateRow("onto what shows a background", GP_ERROR_INVALID_OPERATION,
+                      "another hideBackground", [](World& w, const GpRenderOptions& options) {
+                          GpRenderOptions hidden = options;
+                          hidden.hideBackground = 1;
+                          return gpRender(w.frame, w.scene, nullptr, &hidden);
+                      }),
         accumulateRow("more samples than can be counted", GP_ERROR_TOO_LARGE, "added to 2",
                       [](World& w, const GpRenderOptions& options) {
                           GpRenderOptions many = options;

@@ -34,6 +34,29 @@ struct Shown {
     nlohmann::json json() const { return nlohmann::json::parse(scene.describe()); }
 };
 
+TEST(WrapperChanges, MaterialsThatKeepTheirNames) {
+    Shown shown;
+    GpMaterialDesc lamp = named("lamp");
+    lamp.emission[0] = 2;
+    const Material old(shown.device, lamp), paint(shown.device, named("paint"));
+    shown.instance.setMaterial(old);
+    const auto material = [&] {
+        const nlohmann::json j = shown.json();
+        return j["materials"][size_t(j["instances"][0]["material"])];
+    };
+    const GpReplacedMaterials other = shown.scene.replaceMaterialModel("none", paint);
+    EXPECT_EQ(other.instances, 0u);
+    const GpReplacedMaterials replaced = shown.scene.replaceMaterialModel("lamp", paint);
+    EXPECT_EQ(replaced.instances, 1u);
+    EXPECT_EQ(replaced.kept, uint32_t(GP_MAP_BASE_COLOR | GP_MAP_EMISSION));
+    EXPECT_EQ(replaced.left, 0u);
+    EXPECT_EQ(material()["name"], "lamp");
+    EXPECT_EQ(material()["emission"][0], 2);
+    EXPECT_EQ(shown.scene.replaceMaterial("lamp", paint), 1u);
+    EXPECT_EQ(material()["name"], "paint");
+    EXPECT_EQ(material()["emission"][0], 0);
+}
+
 TEST(WrapperChanges, AnimatedMaterials) {
     Shown shown;
     const Material a(shown.device, named("a")), b(shown.device, named("b"));

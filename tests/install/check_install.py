@@ -38,7 +38,7 @@ def run(command, **more):
 
 
 def png_pixels(path):
-    """RGBA rows of an 8-bit, non-interlaced PNG; sys.exit where the file is anything else."""
+    """RGB rows of an 8-bit, non-interlaced PNG; sys.exit where the file is anything else."""
     with open(path, "rb") as file:
         data = file.read()
     if data[:8] != b"\x89PNG\r\n\x1a\n":
@@ -49,12 +49,12 @@ def png_pixels(path):
         body = data[position + 8:position + 8 + size]
         if kind == b"IHDR":
             width, height, depth, colour = struct.unpack(">IIBB", body[:10])
-            if (depth, colour, body[12]) != (8, 6, 0):
-                sys.exit(f"{path} is not an 8-bit RGBA PNG")
+            if (depth, colour, body[12]) != (8, 2, 0):
+                sys.exit(f"{path} is not an 8-bit RGB PNG")
         elif kind == b"IDAT":
             packed += body
         position += size + 12
-    raw, stride = zlib.decompress(packed), width * 4
+    raw, stride = zlib.decompress(packed), width * 3
     rows, above = [], bytearray(stride)
     for y in range(height):
         start = y * (stride + 1)
@@ -68,8 +68,8 @@ def png_pixels(path):
 def unfilter(kind, row, above):
     """The PNG row filters [PNG specification, section 9]."""
     for i in range(len(row)):
-        left = row[i - 4] if i >= 4 else 0
-        corner = above[i - 4] if i >= 4 else 0
+        left = row[i - 3] if i >= 3 else 0
+        corner = above[i - 3] if i >= 3 else 0
         if kind == 1:
             add = left
         elif kind == 2:
@@ -87,7 +87,7 @@ def unfilter(kind, row, above):
 
 def check_picture(path):
     width, height, rows = png_pixels(path)
-    colours = [bytes(row[i:i + 3]) for row in rows for i in range(0, len(row), 4)]
+    colours = [bytes(row[i:i + 3]) for row in rows for i in range(0, len(row), 3)]
     lit = sum(max(c) > 8 for c in colours) / len(colours)
     if lit < 0.05 or len(set(colours)) < 16:
         sys.exit(f"{path} shows nothing: {lit:.1%} of the pixels lit, {len(set(colours))} colours")

@@ -78,6 +78,19 @@ TEST(GltfMaterial, Glints) {
         EXPECT_TRUE(loaded({{"extras", other}}).layers.empty());
 }
 
+// Textures of the factors that glints take stay with the material; what is left out is said.
+TEST(GltfMaterial, GlintsWithTexturesAndLayers) {
+    nlohmann::json textured = withGlints({{"density", 1e6}});
+    textured["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 0;
+    const Scene quiet = load(withMaterial(textured));
+    EXPECT_TRUE(quiet.instances.at(0)->surface().metallicRoughnessTexture.texture);
+    EXPECT_TRUE(quiet.warnings.empty());
+    textured["extensions"]["KHR_materials_clearcoat"]["clearcoatFactor"] = 1;
+    const Scene coated = load(withMaterial(textured));
+    ASSERT_EQ(coated.warnings.size(), 1u);
+    EXPECT_NE(coated.warnings[0].find("coat, sheen, iridescence"), std::string::npos);
+}
+
 TEST(GltfMaterial, GlintsThatAreWrong) {
     const auto error = [](const nlohmann::json& glints) {
         return errorOf(withMaterial(withGlints(glints)).gltf());

@@ -112,7 +112,7 @@ TEST(Writers, PngRoundTrip) {
     std::vector<uint8_t> rgba(7 * 5 * 4);
     for (size_t i = 0; i < rgba.size(); ++i) rgba[i] = uint8_t(i * 37);
     const std::string path = inTemp("out.png");
-    savePng(path, 7, 5, rgba.data());
+    savePng(path, 7, 5, rgba.data(), PngPixel::rgba);
     const Image back = loadImage(path);
     ASSERT_EQ(back.pixels.size(), rgba.size());
     EXPECT_EQ(std::memcmp(back.pixels.data(), rgba.data(), rgba.size()), 0);
@@ -180,9 +180,9 @@ TEST(Writers, FailureLeavesNothingBehind) {
     const size_t before = files();
     // The name is taken by a folder that is not empty: renaming must fail.
     EXPECT_THROW(saveExr(folder, 1, 1, layer, ExrPixel::half), FileError);
-    EXPECT_THROW(savePng(folder, 1, 1, bytes), FileError);
+    EXPECT_THROW(savePng(folder, 1, 1, bytes, PngPixel::rgba), FileError);
     EXPECT_THROW(saveHdr(folder, 1, 1, white), FileError);
-    EXPECT_THROW(savePng(own + "/none/x.png", 1, 1, bytes), FileError);
+    EXPECT_THROW(savePng(own + "/none/x.png", 1, 1, bytes, PngPixel::rgb), FileError);
     EXPECT_THROW(saveExr(own + "/none/x.exr", 1, 1, layer, ExrPixel::half), FileError);
     EXPECT_EQ(files(), before);
 }

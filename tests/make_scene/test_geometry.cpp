@@ -148,6 +148,11 @@ TEST(MakeSceneGeometry, TheThreeObjectsAreClosed)
     expectClosed("three-objects", {"pleated bulb", "low sphere", "high sphere"});
 }
 
+TEST(MakeSceneGeometry, StonesAndPostOfTheShoreAreClosed)
+{
+    expectClosed("shore", {"rock 1", "rock 2", "rock 3", "rock 4", "post"});
+}
+
 TEST(MakeSceneGeometry, TheGlassIsThickAndTheWaterIsInsideIt)
 {
     const ReadScene scene = testing::generate("still-life");

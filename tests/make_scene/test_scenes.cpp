@@ -89,6 +89,28 @@ TEST(MakeSceneContent, ClosedSphereEmitsWhatWasAsked)
                 1e-5);
 }
 
+TEST(MakeSceneContent, TheShoreGoesUnderTheSea)
+{
+    const ReadScene scene = testing::generate("shore");
+    EXPECT_EQ(scene.cameras, std::vector<std::string>{"on the beach"});
+    EXPECT_TRUE(scene.lights.empty());
+    const auto named = [&](const std::string& name) {
+        const auto it = std::find_if(scene.meshes.begin(), scene.meshes.end(),
+                                     [&](const auto& mesh) { return mesh.name == name; });
+        EXPECT_NE(it, scene.meshes.end()) << name;
+        return it;
+    };
+    const auto sand = named("sand"), post = named("post");
+    ASSERT_TRUE(sand != scene.meshes.end() && post != scene.meshes.end());
+    // Dry behind, under water in front; the post stands in the water and out of it.
+    for (const glm::vec3& p : sand->positions) {
+        EXPECT_TRUE(p.z < 7.5f || p.y > 0.0f) << p.x << ' ' << p.z;
+        EXPECT_TRUE(p.z > 1.0f || p.y < 0.0f) << p.x << ' ' << p.z;
+    }
+    EXPECT_LT(post->low.y, 0.0f);
+    EXPECT_GT(post->high.y, 0.5f);
+}
+
 TEST(MakeSceneContent, ThreeObjectsHaveOneMaterialAndTwoPointLights)
 {
     const ReadScene scene = testing::generate("three-objects");

@@ -152,5 +152,25 @@ TEST(SeaMotion, HistoriesLastUnderAMovingCamera) {
     }
 }
 
+// What a trough shows is often another wave, which shows the sky.
+TEST(SeaMotion, LightBouncesTwiceUnlessToldOtherwise) {
+    GpOceanDesc desc{};
+    desc.wind = 15;
+    const auto colors = [&](int bounces) -> std::vector<glm::vec4> {
+        SeaScene sea(desc);
+        sea.options.maxBounces = bounces;
+        sea.render({{0, 3, 0}, {0, -0.1, -1}});
+        return sea.stage.read<glm::vec4>(sea.frame, GP_IMAGE_COLOR, width * height);
+    };
+    const auto light = [](const std::vector<glm::vec4>& pixels) {
+        double sum = 0;
+        for (const glm::vec4& c : pixels) sum += double(c.y);
+        return sum;
+    };
+    const auto byDefault = colors(0);
+    EXPECT_EQ(byDefault, colors(2));
+    EXPECT_GT(light(byDefault), 1.01 * light(colors(1)));
+}
+
 }  // namespace
 }  // namespace gp::test

@@ -58,6 +58,26 @@ void build(Stage& stage, bool withMirrors) {
     stage.surround({0.2f, 0.3f, 0.4f});
 }
 
+// A wall in milky water, at night, with a lamp over the water that shines down: what the wall has
+// comes from the sea, and what the sea has beside the lamp's spot from the wall.
+void buildShore(Stage& stage, bool) {
+    GpOceanDesc sea{};
+    sea.given = GP_GIVEN_ABSORPTION | GP_GIVEN_SCATTERING;
+    sea.wind = 3, sea.resolution = 32, sea.cascades = 1, sea.level = -0.6f;
+    for (int c = 0; c < 3; ++c) sea.absorption[c] = 0.01f, sea.scattering[c] = 1;
+    stage.check(gpSetOcean(stage.scene, &sea));
+    Triangles wall;
+    wall.quad({-2, -1, -0.6f}, {4, 0, 0}, {0, 2.5f, 0});
+    stage.add(wall, stage.lambert({0.8f, 0.7f, 0.6f}));
+    GpLightDesc lamp{};
+    lamp.kind = GP_LIGHT_SPOT, lamp.intensity = 10, lamp.radius = 0.05f;
+    put(lamp.position, {0.2f, 0, 0.2f});
+    put(lamp.direction, {0, -1, 0});
+    lamp.innerAngle = 0.4f, lamp.outerAngle = 0.6f;
+    stage.light(lamp);
+    stage.surround(glm::vec3(0.001f));
+}
+
 GpCameraDesc camera(float aside = 0) {
     GpCameraDesc c{};
     put(c.position, {0.4f + aside, 0.6f, 5});
@@ -95,6 +115,7 @@ struct Reuse {
     float step = 0;                          // metres that the camera moves aside each frame
     float rayLength = 0;
     void (*scene)(Stage&, bool) = build;     // second: with mirrors
+    uint32_t frames = 320;
 };
 
 void expectReference(const Variant& variant, bool withMirrors, int bounces,
@@ -117,7 +138,7 @@ void expectReference(const Variant& variant, bool withMirrors, int bounces,
     const GpFrame moving = b.frame(width, height);
     // Frames that hand on light samples are not independent: then only the last of a few counts.
     const uint32_t chain = reuse.light == GP_REUSE_NONE && reuse.indirect == GP_REUSE_NONE ? 1 : 5;
-    for (uint32_t i = 0; i < effort(320) * (chain > 1 ? 3u : 1u); ++i) {
+    for (uint32_t i = 0; i < effort(reuse.frames) * (chain > 1 ? 3u : 1u); ++i) {
         GpRenderOptions o = b.options(0);
         o.seed = i, o.maxBounces = bounces, o.rayLength = reuse.rayLength;
         o.realtime.antiAliasing = GP_AA_JITTER;
@@ -183,6 +204,15 @@ TEST_P(RealtimeUnbiased, WithIndirectReuseInABoxFromAMovingCamera) {
     expectReference(GetParam(), false, 1,
                     {.indirect = GP_REUSE_UNBIASED, .step = 0.1f, .rayLength = 7.7f,
                      .scene = [](Stage& stage, bool) { buildBox(stage); }});
+}
+
+// What was found on the sea is found again although its triangles go with the camera.
+TEST(RealtimeUnbiasedSea, WithIndirectReuseFromAMovingCamera) {
+    Variant best = bestFullVariant().front();
+    best.mode = GP_MODE_REALTIME;
+    expectReference(best, false, 1,
+                    {.indirect = GP_REUSE_UNBIASED, .step = 0.25f, .scene = buildShore,
+                     .frames = 80});
 }
 
 std::vector<Variant> realtimeVariants() {

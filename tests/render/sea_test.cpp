@@ -4,60 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include "render/calm_sea.h"
 #include "render/stage.h"
 
 namespace gp::test {
 namespace {
 
-constexpr double eta = 1.333;
-
-GpOceanDesc calm() {
-    GpOceanDesc desc{};
-    // No light comes back from below.
-    desc.given = GP_GIVEN_WIND | GP_GIVEN_ABSORPTION | GP_GIVEN_SCATTERING | GP_GIVEN_FOAM;
-    desc.resolution = 64;
-    return desc;
-}
-
-GpOceanDesc windy(float wind) {
-    GpOceanDesc desc = calm();
-    desc.wind = wind;
-    return desc;
-}
-
-GpCameraDesc looking(double pitch, float height = 3) {
-    GpCameraDesc camera{};
-    camera.position[1] = height;
-    camera.target[1] = height + float(std::sin(pitch));
-    camera.target[2] = -float(std::cos(pitch));
-    camera.verticalFov = 0.25f;
-    return camera;
-}
-
-// [Born and Wolf 1999, section 1.5.2], unpolarised, from outside
-double fresnel(double cosine) {
-    const double inner = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
-    const double s = (cosine - eta * inner) / (cosine + eta * inner);
-    const double p = (eta * cosine - inner) / (eta * cosine + inner);
-    return (s * s + p * p) / 2;
-}
-
 constexpr uint32_t width = 24, height = 16;
 
-// The mean over the picture of f(cosine with the vertical).
+// The mean of f(cosine with the vertical) over such a picture.
 template <class F>
-double meanOverPicture(double pitch, const F& f) {
-    double sum = 0;
-    constexpr int fine = 4;  // points along each side of a pixel
-    for (uint32_t y = 0; y < height * fine; ++y)
-        for (uint32_t x = 0; x < width * fine; ++x) {
-            const double half = std::tan(0.125) / (height * fine / 2.0);
-            const double u = (x + 0.5 - width * fine / 2.0) * half;
-            const double v = (height * fine / 2.0 - y - 0.5) * half;
-            const double down = std::sin(-pitch) - v * std::cos(pitch);
-            sum += f(down / std::sqrt(1 + u * u + v * v));
-        }
-    return sum / (width * height * fine * fine);
+double meanFromAbove(double pitch, const F& f) {
+    return meanOverPicture(width, height, 0.25, pitch, [&](glm::dvec3 w) { return f(-w.y); });
 }
 
 Picture seaPicture(const GpOceanDesc& desc, const GpCameraDesc& camera, uint32_t samples,
@@ -72,7 +30,7 @@ Picture seaPicture(const GpOceanDesc& desc, const GpCameraDesc& camera, uint32_t
 TEST(Sea, CalmWaterReflectsByFresnel) {
     for (const double pitch : {-0.25, -0.5, -1.2}) {
         const Picture picture = seaPicture(calm(), looking(pitch), effort(64));
-        expectMean(picture, meanOverPicture(pitch, fresnel), std::to_string(pitch));
+        expectMean(picture, meanFromAbove(pitch, fresnel), std::to_string(pitch));
     }
 }
 
@@ -82,7 +40,7 @@ TEST(Sea, CalmClearWaterShowsWhatIsBelow) {
     desc.transparent = 1;
     const double pitch = -0.6;
     const Picture picture = seaPicture(desc, looking(pitch), effort(256));
-    expectMean(picture, meanOverPicture(pitch, [](double c) {
+    expectMean(picture, meanFromAbove(pitch, [](double c) {
                    return fresnel(c) + (1 - fresnel(c)) / (eta * eta);
                }));
 }
@@ -104,7 +62,7 @@ TEST(Sea, DeepWaterHasItsOwnColour) {
     for (int c = 0; c < 3; ++c) desc.absorption[c] = 0.1f, desc.scattering[c] = scattering[c];
     const double pitch = -1.2;
     const Picture picture = seaPicture(desc, looking(pitch), effort(1024));
-    const double mirror = meanOverPicture(pitch, fresnel);
+    const double mirror = meanFromAbove(pitch, fresnel);
     for (int c = 0; c < 3; ++c) {
         const double r = 0.33 * scattering[c] / (0.1 + scattering[c]);
         const double back = picture.mean()[c] - mirror;

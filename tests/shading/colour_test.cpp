@@ -12,6 +12,28 @@ namespace {
 
 using test::Random;
 
+TEST(Powers, AreThoseOfTheStandardLibrary) {
+    for (double x = 1e-37; x < 1e38; x *= 1.003) {
+        const double log2 = std::log2(double(float(x)));
+        EXPECT_NEAR(log2_above_0(float(x)), log2, 3e-7 + 6e-8 * std::abs(log2)) << x;
+    }
+    EXPECT_EQ(log2_above_0(1.0f), 0.0f);
+    EXPECT_EQ(log2_above_0(8.0f), 3.0f);
+    for (float x = -125.9f; x < 126.0f; x += 0.0137f) {
+        EXPECT_NEAR(exp2_within_126(x) / std::exp2(double(x)), 1.0, 3e-7) << x;
+    }
+    EXPECT_EQ(exp2_within_126(-3.0f), 0.125f);
+    for (const float exponent : {1.0f / 2.4f, 2.2f}) {
+        for (float x = 1e-6f; x <= 1.0f; x *= 1.01f) {
+            const double power = std::pow(double(x), double(exponent));
+            EXPECT_NEAR(pow_above_0(x, exponent) / power, 1.0, 4e-7 - 1e-7 * std::log2(power))
+                << x;
+        }
+        EXPECT_EQ(pow_above_0(1.0f, exponent), 1.0f);
+        EXPECT_LT(pow_above_0(0.0f, exponent), 1e-12f);
+    }
+}
+
 TEST(Colour, SrgbRoundTripAndKnownValues) {
     for (int i = 0; i <= 1000; ++i) {
         const float v = float(i) / 1000.0f;

@@ -101,6 +101,22 @@ TEST(Ocean, LocalLightingShowsTheSameSeaAsTheReference) {
     EXPECT_GT(std::abs(ambient - expected), 0.1 * expected);
 }
 
+TEST(Ocean, FramesOfLocalLightingAreStills) {
+    const TestFolder folder;
+    const Words view = {"--mode", "local", "--environment-light", "9", "--samples", "2"};
+    Words moving = view;
+    moving.insert(moving.end(), {"--frames", "2", "--fps", "2", "--time", "3"});
+    const ToolResult result = runTool(oceanWords(folder("%d.exr"), moving));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    Words still = view;
+    still.insert(still.end(), {"--time", "3.5"});
+    unsigned width = 0;
+    unsigned height = 0;
+    EXPECT_EQ(readPicture(folder("1.exr"), width, height), oceanPicture(folder("a.exr"), still));
+    EXPECT_NE(readPicture(folder("0.exr"), width, height),
+              readPicture(folder("1.exr"), width, height));
+}
+
 TEST(Ocean, RefusesWhatItCannotDo) {
     const TestFolder folder;
     const std::string out = folder("x.png");
@@ -123,7 +139,6 @@ TEST(Ocean, RefusesWhatItCannotDo) {
         {{"--frames", "2"}, "x.png"},
         {{"--environment-light", "9"}, "only with --mode local"},
         {{"--mode", "local", "--environment-light", "8"}, "ambient, 9, 16"},
-        {{"--mode", "local", "--frames", "2"}, "not with --mode local"},
         {{"--mode", "local", "--bounces", "2"}, "not with --mode local"},
         {{"--camera-height", "0"}, "--camera-height"},
         {{"--wand", "3"}, "did you mean --wind"},

@@ -53,7 +53,8 @@ TEST(Help, NamesEveryOptionOfRender) {
           "--filter", "--clamp", "--isa", "--backend", "--time", "--full-float", "--quiet",
           "--animation", "--scene", "--no-roulette", "--mode", "--lighting", "--set",
           "--frequency", "--falloff", "--ndf-filter", "--ambient", "--frames", "--denoiser",
-          "--light-reuse", "--tune", "--aa", "--render-scale", "--mirrors", "Automatic exposure"}) {
+          "--light-reuse", "--tune", "--aa", "--render-scale", "--mirrors", "--alpha",
+          "Automatic exposure"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
 }

@@ -115,6 +115,7 @@ TEST(ViewModel, EverySettingChangesTheChoices) {
         {"spectrum", "phillips"}, {"swell", "1"}, {"choppiness", "0"}, {"foam", "0"},
         {"sea-seed", "5"}, {"cascades", "1"}, {"resolution", "16"}, {"glints", "on"},
         {"glint-density", "50"}, {"masking", "smith"}, {"sea-level", "5"}, {"transparent", "on"},
+        {"water-absorption", "1,2,3"}, {"water-scattering", "1,2,3"}, {"water-ior", "1.5"},
         {"sea", "off"}, {"sea-time", "5"}, {"sea-speed", "5"}, {"sea-pause", "on"}};
     const std::vector<std::string> names = ViewModel::settingNames();
     EXPECT_EQ(names.size(), std::size(settings)) << "one is missing in this test";

@@ -143,7 +143,8 @@ TEST(SeaWords, AreReadAsTheyAreWritten) {
         {"depth", "deep"}, {"spectrum", "phillips"}, {"swell", "0.25"}, {"choppiness", "0"},
         {"foam", "0"}, {"sea-seed", "7"}, {"cascades", "4"}, {"resolution", "64"},
         {"glints", "deliot"}, {"glint-density", "20000"}, {"masking", "smith"},
-        {"sea-level", "-2.5"}, {"transparent", "on"}};
+        {"water-absorption", "0,0.5,12.25"}, {"water-scattering", "0,0,0"},
+        {"water-ior", "1.5"}, {"sea-level", "-2.5"}, {"transparent", "on"}};
     for (const auto& [name, value] : words) {
         const tool::SeaWord* word = tool::seaWordNamed(name);
         ASSERT_NE(word, nullptr) << name;
@@ -155,6 +156,13 @@ TEST(SeaWords, AreReadAsTheyAreWritten) {
         word->set(written, name, word->get(GpOceanDesc{}));
         EXPECT_EQ(word->get(written), word->get(GpOceanDesc{})) << name;
     }
+    GpOceanDesc water{};
+    for (const char* wrong : {"0.1,0.2", "-0.1,0,0", "0,0,1001", "0,nan,0"}) {
+        EXPECT_THROW(tool::seaWordNamed("water-absorption")->set(water, "--x", wrong),
+                     tool::UsageError)
+            << wrong;
+    }
+    EXPECT_TRUE(tool::sameSea(water, GpOceanDesc{})) << "a wrong word changes nothing";
     EXPECT_EQ(tool::allSeaWords().size() + 1, std::size(words)) << "one is missing in this test";
 }
 

@@ -1,49 +1,19 @@
 // `glitterpath view --ocean` with its window, on a display without a screen.
-#include <gtest/gtest.h>
-
-#include <memory>
-
-#include "tool/tool_runner.h"
-#include "virtual_display.h"
+#include "window_fixture.h"
 
 namespace gp::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
-class SeaWindow : public ::testing::Test {
+class SeaWindow : public WindowTest {
 protected:
-    static void SetUpTestSuite() { s_display = std::make_unique<VirtualDisplay>(); }
-    static void TearDownTestSuite() { s_display.reset(); }
-
-    void SetUp() override {
-        if (!s_display->isThere()) {
-            GTEST_SKIP() << "Xvfb is not here (scripts/bootstrap installs it)";
-        }
-    }
-
     ToolResult view(const std::string& script, const Words& more = {}) {
-        writeText(m_folder("script.txt"), script);
-        Words words = {"view", "--ocean", "--cascades", "1", "--resolution", "32", "--script",
-                       m_folder("script.txt"), "--size", "480x200", "--quiet", "--exposure", "-4"};
+        Words words = {"--ocean", "--cascades", "1", "--resolution", "32", "--size", "480x200",
+                       "--exposure", "-4"};
         words.insert(words.end(), more.begin(), more.end());
-        const ToolResult result = runTool(words);
-        m_hasWindow = result.err.find("this build has no window") == std::string::npos;
-        return result;
+        return viewWith(script, words);
     }
-    nlohmann::json seaOf(const std::string& name) const { return readJson(m_folder(name))["sea"]; }
-    std::string file(const std::string& name) const { return m_folder(name); }
-
-    TestFolder m_folder;
-    bool m_hasWindow = true;
-    static std::unique_ptr<VirtualDisplay> s_display;
+    nlohmann::json seaOf(const std::string& name) const { return state(name)["sea"]; }
 };
-
-std::unique_ptr<VirtualDisplay> SeaWindow::s_display;
-
-#define VIEW_OR_SKIP(result)                                                           \
-    if (!m_hasWindow) GTEST_SKIP() << "this build has no window";                      \
-    ASSERT_EQ((result).exitCode, 0) << (result).err
 
 TEST_F(SeaWindow, MovesUntilItIsPausedWithoutAFile) {
     const ToolResult result = view("state " + file("0.json") + "\nwait 30\nstate " +
@@ -86,16 +56,15 @@ TEST_F(SeaWindow, TheSameScriptIsTheSamePicture) {
 }
 
 TEST_F(SeaWindow, AFileCanGetASeaAndLoseIt) {
-    writeText(file("s.txt"), "state " + file("0.json") + "\nset sea on\nset resolution 32\n" +
-                                 "set cascades 1\nset wind 3\nset sea-level -1\nlive 2\nstate " +
-                                 file("1.json") + "\nset sea off\nlive 2\nstate " +
-                                 file("2.json") + "\n");
-    const ToolResult result = runTool({"view", cornellPath(), "--quiet", "--size", "480x200",
-                                       "--script", file("s.txt")});
-    m_hasWindow = result.err.find("this build has no window") == std::string::npos;
+    const ToolResult result =
+        viewWith("state " + file("0.json") + "\nset sea on\nset resolution 32\nset cascades 1\n" +
+                     "set wind 3\nset sea-level -1\nset water-absorption 1,0.5,0\nlive 2\nstate " +
+                     file("1.json") + "\nset sea off\nlive 2\nstate " + file("2.json") + "\n",
+                 {cornellPath(), "--size", "480x200"});
     VIEW_OR_SKIP(result);
     EXPECT_TRUE(seaOf("0.json").is_null());
     EXPECT_EQ(seaOf("1.json")["sea-level"], -1);
+    EXPECT_EQ(seaOf("1.json")["water-absorption"], "1,0.5,0");
     EXPECT_EQ(seaOf("1.json")["moves"], true);
     EXPECT_TRUE(seaOf("2.json").is_null());
 }
@@ -123,6 +92,8 @@ TEST(SeaOfView, WrongOptionsAreRefused) {
         {{"--ocean", "--wind", "200"}, "--wind: 200 is not in 0..100"},
         {{"--ocean", "--spectrum", "tma"}, "--spectrum: tma needs --depth"},
         {{"--ocean", "--transparent", "yes"}, "--transparent"},
+        {{"--ocean", "--water-ior", "1"}, "--water-ior: 1 is not in 1.01..3"},
+        {{"--ocean", "--water-absorption", "1,-1,1"}, "--water-absorption: -1 is not in 0..1000"},
         {{"--ocean", "--sea-speed", "-1"}, "--sea-speed"},
         {{"--ocean", "--time", "1e6"}, "--time"},
         {{"--ocean", "--camera", "0"}, "--camera: only with SCENE"},

@@ -1,59 +1,26 @@
 // `glitterpath view` as a person meets it: the real command on a display without a screen, with a
 // script in the place of hands, and once with events of the X server itself.
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <thread>
 #include <tuple>
 
-#include "tool/tool_runner.h"
-#include "virtual_display.h"
+#include "window_fixture.h"
 
 namespace gp::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
-class ViewWindow : public ::testing::Test {
+class ViewWindow : public WindowTest {
 protected:
-    static void SetUpTestSuite() { s_display = std::make_unique<VirtualDisplay>(); }
-    static void TearDownTestSuite() { s_display.reset(); }
-
-    void SetUp() override {
-        if (!s_display->isThere()) {
-            GTEST_SKIP() << "Xvfb is not here (scripts/bootstrap installs it)";
-        }
-    }
-
     // Runs a script in a small window on the given scene.
     ToolResult view(const std::string& scene, const std::string& script, const Words& more = {}) {
-        writeText(m_folder("script.txt"), script);
-        Words words = {"view", scene, "--script", m_folder("script.txt"), "--size", "640x360",
-                       "--quiet", "--exposure", "0", "--live", "traced"};
+        Words words = {scene, "--size", "640x360", "--exposure", "0", "--live", "traced"};
         words.insert(words.end(), more.begin(), more.end());
-        const ToolResult result = runTool(words);
-        if (result.err.find("this build has no window") != std::string::npos) {
-            m_hasWindow = false;
-        }
-        return result;
+        return viewWith(script, words);
     }
-    nlohmann::json state(const std::string& name) const { return readJson(m_folder(name)); }
-    std::string file(const std::string& name) const { return m_folder(name); }
-
-    TestFolder m_folder;
-    bool m_hasWindow = true;
-    static std::unique_ptr<VirtualDisplay> s_display;
 };
-
-std::unique_ptr<VirtualDisplay> ViewWindow::s_display;
-
-#define VIEW_OR_SKIP(result)                                                           \
-    if (!m_hasWindow) GTEST_SKIP() << "this build has no window";                      \
-    ASSERT_EQ((result).exitCode, 0) << (result).err
 
 struct Picture {
     unsigned width = 0, height = 0;
@@ -186,13 +153,11 @@ TEST_F(ViewWindow, LowersTheSizeToHoldTheTime) {
 }
 
 TEST_F(ViewWindow, RealTimeIsTheDefault) {
-    writeText(file("real.txt"), "press W\nlive 10\nrelease W\nlive 10\nset image motion\nlive 2\n"
-                                "window " + file("m.png") + "\nset image display\n"
-                                "set reference on\nsettle 2\nset reference off\nlive 5\nstate " +
-                                    file("s.json") + "\n");
-    const ToolResult result = runTool({"view", cornellPath(), "--size", "640x360", "--quiet",
-                                       "--script", file("real.txt")});
-    m_hasWindow = result.err.find("this build has no window") == std::string::npos;
+    const ToolResult result = viewWith(
+        "press W\nlive 10\nrelease W\nlive 10\nset image motion\nlive 2\nwindow " +
+            file("m.png") + "\nset image display\nset reference on\nsettle 2\n" +
+            "set reference off\nlive 5\nstate " + file("s.json") + "\n",
+        {cornellPath(), "--size", "640x360"});
     VIEW_OR_SKIP(result);
     const nlohmann::json json = state("s.json");
     EXPECT_EQ(json["live"], "realtime");

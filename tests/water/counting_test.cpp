@@ -42,7 +42,7 @@ struct Statistics {
 // Over pixels anywhere, directions of their footprints included, and slopes near s: averaged over
 // where grids and slope cells lie.
 Statistics statisticsOf(Glint g, vec2 z, bool turned, int count,
-                        float (*p22)(const Glint&, vec2) = glint_counting_p22) {
+                        CountedFacets (*method)(const Glint&, vec2) = glint_counting) {
     test::Random random(11);
     double sum = 0, squares = 0;
     const vec2 d0 = g.d0, d1 = g.d1;
@@ -54,7 +54,7 @@ Statistics statisticsOf(Glint g, vec2 z, bool turned, int count,
             g.d1 = vec2(c * d1.x - s * d1.y, s * d1.x + c * d1.y);
         }
         const vec2 s = slopeAt(g, z);
-        const double ratio = double(p22(g, s)) / double(slopes_p22(g.slopes, s));
+        const double ratio = double(method(g, s).p22) / double(slopes_p22(g.slopes, s));
         sum += ratio, squares += ratio * ratio;
     }
     Statistics r;
@@ -144,7 +144,7 @@ TEST(Zirr, MeanIsNearBeckmannAndVarianceBelowTheBinomial) {
         const double expected = binomialVariance(g, vec2(0.5f), facets, facetSlopeArea(g));
         const int count = int(std::clamp(expected / 1e-4, 5000.0, 150000.0));
         const Statistics ours = statisticsOf(g, vec2(0.5f), true, count);
-        const Statistics zirr = statisticsOf(g, vec2(0.5f), true, count, glint_zirr_p22);
+        const Statistics zirr = statisticsOf(g, vec2(0.5f), true, count, glint_zirr);
         fmt::print("{} facets: mean {:.3f} and {:.3f}, variance {:.2f} and {:.2f}\n", facets,
                    ours.mean, zirr.mean, ours.variance / expected, zirr.variance / expected);
         EXPECT_GT(zirr.mean, 1 - std::max(0.02, 4 * zirr.error));
@@ -171,7 +171,7 @@ TEST(Counting, FootprintsChangeSmoothly) {
         const float ratio = std::exp2(2.7f - 2.7f * std::cos(TWO_PI * 37 * t));
         const vec2 axis(std::cos(a), std::sin(a));
         g.d0 = axis * size * ratio, g.d1 = vec2(-axis.y, axis.x) * size;
-        const float value = glint_counting_p22(g, s);
+        const float value = glint_counting(g, s).p22;
         if (before >= 0) {
             largest = std::max(largest, double(std::abs(value - before)));
             whole += double(std::abs(value - before));
@@ -190,11 +190,11 @@ TEST(Counting, IsSymmetricAboutTheMeanAndRepeatable) {
     for (int i = 0; i < 1000; ++i) {
         g.uv = vec2(random.uniform(), random.uniform()) * 10.0f;
         const vec2 s = slopeAt(g, vec2(random.uniform(), random.uniform()) * 4.0f - 2.0f);
-        const float a = glint_counting_p22(g, s);
-        EXPECT_EQ(a, glint_counting_p22(g, s));
-        EXPECT_NEAR(a, glint_counting_p22(g, 2.0f * g.slopes.mean - s), 2e-3f * a + 1e-3f);
+        const float a = glint_counting(g, s).p22;
+        EXPECT_EQ(a, glint_counting(g, s).p22);
+        EXPECT_NEAR(a, glint_counting(g, 2.0f * g.slopes.mean - s).p22, 2e-3f * a + 1e-3f);
         const Glint other = [&] { Glint o = g; o.seed = 6; return o; }();
-        glinting += a != glint_counting_p22(other, s);
+        glinting += a != glint_counting(other, s).p22;
     }
     EXPECT_GT(glinting, 500);
 }
@@ -209,7 +209,7 @@ TEST(Counting, NoInputMakesWhatIsNotFinite) {
         g.jitter = any(), g.area = any();
         g.k0 = vec2(any(), any()), g.k1 = vec2(any(), any());
         const vec2 s = i % 4 == 0 ? vec2(any(), any()) : slopeAt(g, vec2(random.uniform()));
-        const float value = glint_counting_p22(g, s), zirr = glint_zirr_p22(g, s);
+        const float value = glint_counting(g, s).p22, zirr = glint_zirr(g, s).p22;
         ASSERT_TRUE(std::isfinite(value + zirr) && value >= 0 && zirr >= 0)
             << g.log_density << ' ' << g.d0.x << ' ' << g.d0.y << ' ' << g.d1.x << ' ' << g.d1.y
             << ' ' << g.uv.x << ' ' << g.area << ' ' << g.jitter << ' ' << g.k0.x << ' ' << s.x;

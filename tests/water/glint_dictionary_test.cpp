@@ -1,4 +1,8 @@
 // The dictionary of glints: what it stores, and what is read from it.
+#include <algorithm>
+#include <set>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "water/glint_cases.h"
@@ -15,14 +19,12 @@ GlintWidth width(uint index) {
     return w;
 }
 
-uint rowOf(uint level, uint entry) { return (level * GLINT_ENTRIES + entry) * GLINT_ROW; }
-
 TEST(GlintDictionary, EveryRowIntegratesToOneOverBothSides) {
     const uvec2 table = glintDictionary();
     for (uint level = 0; level < uint(GLINT_LEVELS); ++level) {
-        for (uint entry = 0; entry < GLINT_ENTRIES; ++entry) {
+        for (uint entry = 0; entry < glint_entries(level); ++entry) {
             for (uint w = 0; w <= 4; ++w) {
-                const GlintBins bins = glint_bins(rowOf(level, entry), w);
+                const GlintBins bins = glint_bins(glint_row(level, entry), w);
                 double sum = 0.0;
                 for (uint i = 0; i < bins.count; ++i)
                     sum += double(table_float(table, bins.base + i));
@@ -45,12 +47,12 @@ TEST(GlintDictionary, ReadingKeepsTheIntegral) {
             for (int i = 0; i <= steps; ++i) {
                 const float x = std::min(4.0f * float(i) / steps, 3.999999f);
                 sum += (i == 0 || i == steps ? 0.5 : 1.0) *
-                       double(glint_marginal(table, rowOf(2, 17), kernel, x));
+                       double(glint_marginal(table, glint_row(2, 17), kernel, x));
             }
             EXPECT_NEAR(2.0 * sum * 4.0 / steps, 1.0, 1e-5) << w;
         }
     }
-    EXPECT_EQ(glint_marginal(table, rowOf(2, 17), width(0), 4.0f), 0.0f);
+    EXPECT_EQ(glint_marginal(table, glint_row(2, 17), width(0), 4.0f), 0.0f);
 }
 
 // The published dictionary's mean is off by 23 % at level 0, in the norm taken here, and by 0.2 %
@@ -63,9 +65,10 @@ TEST(GlintDictionary, MeanOfAllEntriesIsNormalAtEveryLevel) {
             for (int i = 0; i < 400; ++i) {
                 const double x = (i + 0.5) / 100.0;
                 double mean = 0.0;
-                for (uint entry = 0; entry < GLINT_ENTRIES; ++entry)
-                    mean += double(glint_marginal(table, rowOf(level, entry), width(w), float(x)));
-                mean /= double(GLINT_ENTRIES);
+                for (uint entry = 0; entry < glint_entries(level); ++entry)
+                    mean += double(glint_marginal(table, glint_row(level, entry), width(w),
+                                                  float(x)));
+                mean /= double(glint_entries(level));
                 const double normal = std::exp(-0.5 * x * x) / std::sqrt(2.0 * M_PI);
                 squares += (mean - normal) * (mean - normal);
                 normalSquares += normal * normal;
@@ -78,33 +81,102 @@ TEST(GlintDictionary, MeanOfAllEntriesIsNormalAtEveryLevel) {
     }
 }
 
-// Entries of one level differ from each other as independent draws do: the variance over entries of
-// the share below one deviation, 0.6827, is p (1 - p) / 2^level.
-TEST(GlintDictionary, LobesOfAnEntryAreAsUnevenAsIndependentDraws) {
+// A row is the mean of its two children, and the last level's two together are all.
+TEST(GlintDictionary, RowsAreTheMeansOfTheirChildren) {
     const uvec2 table = glintDictionary();
-    for (const uint level : {3u, 6u, 9u}) {
-        double squares = 0.0;
-        for (uint entry = 0; entry < GLINT_ENTRIES; ++entry) {
-            double below = 0.0;
-            for (uint bin = 0; bin < 16; ++bin)
-                below += 2.0 / 16.0 * double(table_float(table, rowOf(level, entry) + bin));
-            squares += (below - 0.6827) * (below - 0.6827);
+    for (uint level = 1; level < uint(GLINT_LEVELS); ++level) {
+        for (uint entry = 0; entry < glint_entries(level); ++entry) {
+            const uint row = glint_row(level, entry), first = glint_row(level - 1, entry);
+            const uint second = glint_row(level - 1, entry + glint_entries(level));
+            for (uint i = 0; i < GLINT_ROW; ++i) {
+                const float mean = 0.5f * (table_float(table, first + i)
+                                           + table_float(table, second + i));
+                ASSERT_FLOAT_EQ(table_float(table, row + i), mean) << level << ' ' << entry;
+            }
         }
-        const double expected = 0.6827 * 0.3173 / std::exp2(double(level));
-        // 192 draws know their variance to 10 %; blurring by the lobes takes some of it away.
-        EXPECT_NEAR(squares / double(GLINT_ENTRIES) / expected, 0.95, 0.3) << level;
+    }
+    EXPECT_EQ(glint_entries(uint(GLINT_LEVELS - 1)), 2u);
+}
+
+// By size of their slopes, from the means of what is stored of them.
+std::vector<uint> ranksOfLeaves() {
+    const uvec2 table = glintDictionary();
+    std::vector<std::pair<double, uint>> leaves;
+    for (uint leaf = 0; leaf < glint_entries(0u); ++leaf) {
+        double mean = 0.0;
+        for (uint bin = 0; bin < 64u; ++bin)
+            mean += (bin + 0.5) / 128.0 * double(table_float(table, glint_row(0u, leaf) + bin));
+        leaves.emplace_back(mean, leaf);
+    }
+    std::sort(leaves.begin(), leaves.end());
+    std::vector<uint> ranks(leaves.size());
+    for (uint i = 0; i < leaves.size(); ++i) ranks[leaves[i].second] = i;
+    return ranks;
+}
+
+TEST(GlintDictionary, LeavesBelowEveryRowAreStratified) {
+    const std::vector<uint> ranks = ranksOfLeaves();
+    for (uint level = 0; level < uint(GLINT_LEVELS); ++level) {
+        const uint entries = glint_entries(level);
+        for (uint entry = 0; entry < entries; ++entry) {
+            std::set<uint> strata;
+            for (uint leaf = entry; leaf < GLINT_LEAVES; leaf += entries)
+                strata.insert(ranks[leaf] / entries);
+            ASSERT_EQ(strata.size(), 1u << level) << level << ' ' << entry;
+        }
     }
 }
 
-// Half of the lobes of a level are those of the level below.
-TEST(GlintDictionary, LevelsAreNested) {
+// A cell glints as 4^level facets of four spikes each do, at one and two deviations from the mean
+// (docs/water.md: nearer to it cells of many facets are too even).
+TEST(GlintDictionary, ContrastIsNearThatOfAsManyFacets) {
     const uvec2 table = glintDictionary();
-    for (uint level = 0; level + 1 < uint(GLINT_LEVELS); ++level) {
-        for (uint bin = 0; bin < GLINT_ROW; ++bin) {
-            const float below = table_float(table, rowOf(level, 100) + bin);
-            EXPECT_GE(table_float(table, rowOf(level + 1, 100) + bin), 0.4999f * below);
+    gp::test::Random random(3);
+    for (uint level = 1; level <= 6; ++level) {
+        for (const float radius : {1.0f, 2.0f}) {
+            double sum = 0.0, squares = 0.0;
+            constexpr int count = 20'000;
+            const uint entries = glint_entries(level);
+            for (int i = 0; i < count; ++i) {
+                const float angle = 1.5707963f * random.uniform();
+                const double p =
+                    double(glint_marginal_sharp(table, glint_row(level, random.next() % entries),
+                                                radius * std::cos(angle))) *
+                    double(glint_marginal_sharp(table, glint_row(level, random.next() % entries),
+                                                radius * std::sin(angle)));
+                sum += p, squares += p * p;
+            }
+            const double mean = sum / count;
+            const double contrast = std::sqrt(squares / count / (mean * mean) - 1.0);
+            // Spikes are Gaussians of width 1/16: the integral of their square is 256 / (4 pi).
+            const double density = std::exp(-0.5 * double(radius * radius)) / (2.0 * M_PI);
+            const double spikes = 4.0 * std::exp2(2.0 * level);
+            const double facets = std::sqrt(256.0 / (4.0 * M_PI) / (density * spikes));
+            EXPECT_GT(contrast, 0.35 * facets) << level << ' ' << radius;
+            EXPECT_LT(contrast, 1.5 * facets) << level << ' ' << radius;
         }
     }
+}
+
+// Within its stratum a leaf lies anywhere: regular ones would make rows of a level that differ by
+// no more than a shift. The variance of the place in a stratum is that of a uniform number, and
+// neighbouring strata know nothing of each other.
+TEST(GlintDictionary, LeavesAreUnevenWithinTheirStrata) {
+    const std::vector<uint> ranks = ranksOfLeaves();
+    const uint level = 5, entries = glint_entries(level);
+    double squares = 0.0, products = 0.0;
+    for (uint entry = 0; entry < entries; ++entry) {
+        std::vector<double> places(size_t(1) << level);
+        for (uint leaf = entry; leaf < GLINT_LEAVES; leaf += entries)
+            places[ranks[leaf] / entries] = (ranks[leaf] % entries + 0.5) / entries - 0.5;
+        for (size_t i = 0; i < places.size(); ++i) {
+            squares += places[i] * places[i] / double(GLINT_LEAVES);
+            products += places[i] * places[i ^ 1u] / double(GLINT_LEAVES);
+        }
+    }
+    EXPECT_NEAR(squares * 12.0, 1.0, 0.01);
+    // 512 pairs.
+    EXPECT_LT(std::abs(products / squares), 0.2);
 }
 
 }  // namespace

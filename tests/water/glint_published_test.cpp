@@ -43,14 +43,15 @@ double publishedP22(const PublishedDictionary& dictionary, const Slopes& d, floa
     const float cells = std::exp2(float(15 - level));
     const float cell = 1.0f / cells;
     const GlintFootprint footprint = glint_footprint(vec2(cell, 0.0f), vec2(0.0f, cell));
-    const Ellipse e = ellipse_of(footprint, uv, cells);
+    const Ellipse e = ellipse_of(footprint, uv, cells, 1.0f);
     const Whitening w = whitening_of(d);
     const vec2 white = whitened(w, s - d.mean);
     const float facets = (logDensity / std::log(2.0f)) * 0.5f + float(level - 15);
     double sum = 0.0, weights = 0.0;
-    for (ivec3 row = ellipse_first_row(e); row.z <= e.last; row = ellipse_row(e, row.z + 1)) {
-        for (int x = row.x; x <= row.y; ++x) {
-            const uvec3 h = hash_u32x3(uvec3(uint(x), uint(row.z), 1u));
+    for (int y = e.first; y <= e.last; ++y) {
+        const EllipseRow row = ellipse_row(e, y);
+        for (int x = row.start; x <= row.end; ++x) {
+            const uvec3 h = hash_u32x3(uvec3(uint(x), uint(y), 1u));
             const vec2 normal = gaussian_pair(vec2(float(h.x >> 8u) * 0x1p-24f, 0.5f));
             const int at = int(clamp(std::round(facets + 2.0f * normal.x), 0.0f, 16.0f));
             const SinCos turn = sincos_turns(float(h.y >> 8u) * 0x1p-24f);
@@ -60,7 +61,7 @@ double publishedP22(const PublishedDictionary& dictionary, const Slopes& d, floa
             const float p = at == 16 ? slopes_p22(d, s)
                                      : dictionary.density(at, i, r.x) *
                                            dictionary.density(at, j, r.y) * w.xx * w.yy;
-            const double weight = double(ellipse_weight(e, x, row.z));
+            const double weight = double(ellipse_weight(e, x, y));
             sum += weight * double(p), weights += weight;
         }
     }

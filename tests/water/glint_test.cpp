@@ -46,7 +46,7 @@ TEST(Glint, IntegratesToOneForEveryFootprint) {
     for (NamedGlint& c : glintCases()) {
         Random random(3);
         for (int place = 0; place < 3; ++place) {
-            EXPECT_NEAR(slopeIntegral(c.glint, 24, [](vec2) { return 1.0f; }), 1.0, 1e-3) << c.name;
+            EXPECT_NEAR(slopeIntegral(c.glint, 32, [](vec2) { return 1.0f; }), 1.0, 1e-3) << c.name;
             moveGlint(c.glint, random);
             const float angle = 6.2831853f * random.uniform(), size = random.uniform();
             c.glint.d0 = 0.004f * size * vec2(std::cos(angle), std::sin(angle));
@@ -63,11 +63,9 @@ TEST(Glint, MeanOfAllCellsIsTheGaussianAtEveryLevel) {
             w.width = 0;
             w.share = 0.0f;
             double sum = 0.0;
-            for (uint i = 0; i < GLINT_ENTRIES; ++i) {
-                const uint row = (level * GLINT_ENTRIES + i) * GLINT_ROW;
-                sum += double(glint_marginal(table, row, w, std::abs(x)));
-            }
-            return sum / double(GLINT_ENTRIES);
+            for (uint i = 0; i < glint_entries(level); ++i)
+                sum += double(glint_marginal(table, glint_row(level, i), w, std::abs(x)));
+            return sum / double(glint_entries(level));
         };
         for (const float radius : {0.0f, 0.5f, 1.0f, 1.5f, 2.0f, 2.5f}) {
             double sum = 0.0;
@@ -176,13 +174,38 @@ TEST(Glint, CellsOfAllLevelsShareTheirNumbers) {
     }
 }
 
+// The part at a cell's corner has a child of each of its rows: facets that the cell has.
+TEST(Glint, CornersOfCellsHaveFacetsOfTheirs) {
+    Random random(22);
+    GlintLevel high{}, low{};
+    high.occupied = low.occupied = high.share = low.share = 1.0f;
+    high.seed = low.seed = 78u;
+    for (int i = 0; i < 1000; ++i) {
+        high.facets = float(1 + random.next() % uint(GLINT_LEVELS - 2));
+        low.facets = high.facets - 1.0f;
+        high.shift = 1u + random.next() % 12u;
+        low.shift = high.shift - 1u;
+        const int x = int(random.next() % 2001u) - 1000, y = int(random.next() % 2001u) - 1000;
+        const GlintCell whole = glint_cell(high, x, y), part = glint_cell(low, 2 * x, 2 * y);
+        // A cell may take the level above its own.
+        uint level = uint(high.facets);
+        if (whole.row_x >= glint_row(level + 1, 0)) ++level;
+        const uint entry_x = (whole.row_x - glint_row(level, 0)) / GLINT_ROW;
+        const uint entry_y = (whole.row_y - glint_row(level, 0)) / GLINT_ROW;
+        const uint entries = glint_entries(level);
+        EXPECT_EQ((part.row_x - glint_row(level - 1, 0)) / GLINT_ROW % entries, entry_x);
+        EXPECT_EQ((part.row_y - glint_row(level - 1, 0)) / GLINT_ROW % entries, entry_y);
+        EXPECT_EQ(part.turn.s, whole.turn.s);
+    }
+}
+
 // What carries no facets reflects as the smooth surface: a share of every pixel where cells hold
 // several facets, whole cells where they hold less than one.
 TEST(Glint, TheRestOfTheAreaIsSmooth) {
     Random random(8);
     Glint g = exampleGlint();
     g.area = 0.3f;
-    g.log_density = std::log(1e9f);
+    g.log_density = std::log(1e8f);
     const vec2 s = g.slopes.mean + vec2(0.1f, 0.1f);
     const float gaussian = slopes_p22(g.slopes, s);
     float least = 1e9f;
@@ -262,7 +285,7 @@ TEST(Glint, WithoutDictionaryItIsTheGaussian) {
     Glint g = exampleGlint();
     g.dictionary = uvec2(0u, 0u);
     const vec2 s(0.2f, 0.1f);
-    EXPECT_EQ(glint_p22(g, s), slopes_p22(g.slopes, s));
+    EXPECT_FLOAT_EQ(glint_p22(g, s), slopes_p22(g.slopes, s));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 GP_SHADING_BEGIN
 #include "shading/frame.glsl"
 #include "shading/microfacet/ggx.glsl"
-#include "shading/slope/ndf_filtering.glsl"
+#include "shading/slope/ndf_mixture.glsl"
 GP_SHADING_END
 
 namespace gp::test {
@@ -105,6 +105,8 @@ TEST(NdfFiltering, KernelsAreBounded) {
 // The same functions with the other's derivatives: one width for each light, and a covariance that
 // serves all lights.
 constexpr uint forwardIsotropic = 16, deferredAnisotropic = 17;
+// NDF_FILTER_TOKUYOSHI with ndf_mixture_shape, as the renderer has GGX.
+constexpr uint ggxMixture = 18;
 
 // A unit sphere seen from above by parallel rays, with pixels of a width; a light far away. Along
 // the sphere's normals the frame turns without twisting, as in the frame of frame_from_normal.
@@ -168,11 +170,14 @@ struct Sphere {
             const vec2 wide = sqrt(ndf_kaplanyan(vec2(a2), h, dh[0], dh[1]));
             return double(d(h, wide.x, wide.y));
         }
-        if (method == NDF_FILTER_TOKUYOSHI || method == deferredAnisotropic) {
+        if (method == NDF_FILTER_TOKUYOSHI || method == ggxMixture
+            || method == deferredAnisotropic) {
+            const float shape =
+                method == ggxMixture ? ndf_mixture_shape(vec2(a2), h, dh[0], dh[1]) : 1.0f;
             const PrincipalWidths w = principal_widths(
                 ndf_tokuyoshi(vec3(a2, a2, 0.0f), dh[0], dh[1]));
             const vec3 turned(dot(vec2(h.x, h.y), w.axis), h.y * w.axis.x - h.x * w.axis.y, h.z);
-            return double(d(turned, w.alpha_x, w.alpha_y));
+            return double(shape * d(turned, w.alpha_x, w.alpha_y));
         }
         return double(d(h, alpha, alpha));
     }
@@ -211,8 +216,8 @@ double errorOf(const Sphere& sphere, double pixel, uint method) {
 }
 
 // Absolute error over all pixels about a highlight, relative to its light. Gaussians are met but
-// for their curvature; GGX has tails that no widening of it can have, and the older methods take
-// other filters, or one width for both axes.
+// for their curvature, and so is GGX as a mixture of them; it has tails that no widening of it can
+// have. The older methods take other filters, or one width for both axes.
 TEST(NdfFiltering, IsNearTheMeanOverPixels) {
     for (const bool beckmann : {false, true}) {
         for (const double elevation : {0.0, 60.0, 110.0}) {
@@ -221,12 +226,85 @@ TEST(NdfFiltering, IsNearTheMeanOverPixels) {
             EXPECT_GT(none, 0.45) << elevation;  // one sample misses it
             EXPECT_LT(errorOf(sphere, 0.04, NDF_FILTER_TOKUYOSHI), beckmann ? 0.03 : 0.37)
                 << elevation;
+            if (!beckmann) { EXPECT_LT(errorOf(sphere, 0.04, ggxMixture), 0.035) << elevation; }
             EXPECT_LT(errorOf(sphere, 0.04, NDF_FILTER_KAPLANYAN), 0.88 * none) << elevation;
             EXPECT_LT(errorOf(sphere, 0.04, NDF_FILTER_DEFERRED), 1.05 * none) << elevation;
             EXPECT_LT(errorOf(sphere, 0.04, forwardIsotropic), 1.05 * none) << elevation;
             EXPECT_LT(errorOf(sphere, 0.04, deferredAnisotropic), beckmann ? 0.03 : 0.37)
                 << elevation;
         }
+    }
+}
+
+// GGX blurred by numbers: over slopes, as the mean under the kernel.
+double blurred(vec2 alpha2, vec2 s, vec2 dh0, vec2 dh1) {
+    double sum = 0.0, weights = 0.0;
+    const double sigma = std::sqrt(double(NDF_PIXEL_VARIANCE));
+    for (int i = 0; i < 200 * 200; ++i) {
+        const dvec2 t = (dvec2(i % 200, i / 200) + 0.5) * (10.0 / 200) - 5.0;
+        const dvec2 at = dvec2(s) + sigma * (t.x * dvec2(dh0) + t.y * dvec2(dh1));
+        const double e = 1.0 + at.x * at.x / double(alpha2.x) + at.y * at.y / double(alpha2.y);
+        const double weight = std::exp(-0.5 * dot(t, t));
+        sum += weight / (e * e), weights += weight;
+    }
+    return sum / weights / (M_PI * std::sqrt(double(alpha2.x * alpha2.y)));
+}
+
+double squaredDistance(vec2 s, vec3 a) {
+    const dmat2 inverted = inverse(matrixOf(a));
+    return dot(dvec2(s), inverted * dvec2(s));
+}
+
+// Along a line and across, from the middle far into the tails; and all of it together.
+TEST(NdfMixture, IsGgxBlurredByTheKernel) {
+    const vec2 widths[] = {vec2(1e-4f), vec2(4e-4f, 2.5e-5f), vec2(1e-2f)};
+    const vec2 changes[][2] = {{vec2(0.04f, 0.0f), vec2(0.0f, 0.04f)},
+                               {vec2(0.03f, 0.03f), vec2(0.001f, -0.001f)},
+                               {vec2(0.1f, 0.0f), vec2(0.0f, 0.0f)}};
+    for (const vec2 a : widths) {
+        for (const auto& change : changes) {
+            const vec2 dh0 = change[0], dh1 = change[1];
+            const vec3 wide = vec3(a, 0.0f) + ndf_kernel(dh0, dh1);
+            const double det = double(wide.x * wide.y - wide.z * wide.z);
+            const auto filtered = [&](vec2 s) {
+                const double e = 1.0 + squaredDistance(s, wide);
+                return double(ndf_mixture_shape(a, facet_of(s), vec3(dh0, 0), vec3(dh1, 0)))
+                     / (M_PI * std::sqrt(det) * e * e);
+            };
+            for (const float x : {0.0f, 0.01f, 0.03f, 0.1f, 0.3f, 1.0f}) {
+                for (const vec2 s : {vec2(x, 0.0f), vec2(0.6f * x, 0.8f * x), vec2(-x, x)}) {
+                    EXPECT_NEAR(filtered(s) / blurred(a, s, dh0, dh1), 1.0, 0.12)
+                        << a.x << ' ' << wide.x << ' ' << s.x << ' ' << s.y;
+                }
+            }
+            // In rings whose radii grow by a hundredth, to slopes of 30 widths.
+            double all = 0.0;
+            for (int i = 0; i < 1400; ++i) {
+                const double r = 1e-5 * std::exp(0.01 * i);
+                for (int j = 0; j < 64; ++j) {
+                    const double phi = 6.283185307 * (j + 0.5) / 64;
+                    all += filtered(vec2(dvec2(r * std::cos(phi), r * std::sin(phi))))
+                         * r * r * 0.01 * 6.283185307 / 64;
+                }
+            }
+            EXPECT_NEAR(all, 1.0, 0.03) << a.x << ' ' << wide.x;
+        }
+    }
+}
+
+// Nothing moves: nothing changes. Any width and change: a number.
+TEST(NdfMixture, IsAlwaysANumber) {
+    Random random(6);
+    for (int i = 0; i < 100'000; ++i) {
+        const vec2 alpha = vec2(std::exp2(-10.0f * random.uniform()),
+                                std::exp2(-10.0f * random.uniform()));
+        const vec3 h = directionAt(89.0 * double(random.uniform()), 360.0 * random.uniform());
+        const float size = std::exp2(8.0f - 30.0f * random.uniform());
+        const vec3 dh0 = vec3(random.uniform() - 0.5f, random.uniform() - 0.5f, 0.0f) * size;
+        const vec3 dh1 = i % 3 ? vec3(dh0.y, random.uniform(), 0.0f) * size : dh0 * 2.0f;
+        ASSERT_NEAR(ndf_mixture_shape(alpha * alpha, h, vec3(0.0f), vec3(0.0f)), 1.0f, 1e-4f);
+        const float shape = ndf_mixture_shape(alpha * alpha, h, dh0, dh1);
+        ASSERT_TRUE(shape >= 0.0f && shape < 1.0e6f) << shape << ' ' << i;
     }
 }
 

@@ -88,6 +88,24 @@ TEST(Sea, TellsItsSurfaceAboveAnyPoint) {
     }
 }
 
+// By the waves at the camera, not by the level.
+TEST(Sea, KnowsWhoIsBelow) {
+    Sea sea(smallSea());
+    sea.setTime(3);
+    int crests = 0;
+    for (int i = 0; i < 40; ++i) {
+        const float x = 1.7f * float(i), height = sea.at(x, 5).height;
+        crests += height > sea.settings().level ? 1 : 0;
+        EXPECT_FALSE(sea.isBelow(cameraAt({x, height + 1e-3f, 5}))) << x;
+        EXPECT_TRUE(sea.isBelow(cameraAt({x, height - 1e-3f, 5}))) << x;
+    }
+    EXPECT_GT(crests, 5);
+    EXPECT_LT(crests, 35);
+    Camera parallel = cameraAt({0, -50, 5});
+    parallel.kind = CameraKind::orthographic;
+    EXPECT_FALSE(sea.isBelow(parallel));
+}
+
 TEST(Sea, NormalsAreThoseOfTheHeightsAround) {
     SeaSettings settings = smallSea();
     // Only waves of 20 m and more: several points of the grid in each.

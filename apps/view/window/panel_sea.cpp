@@ -67,6 +67,20 @@ void drawDepth(ViewModel& model) {
     }
 }
 
+void drawTriple(ViewModel& model, const char* name) {
+    constexpr float firstSteps = 0.0005f;  // 1/m a pixel of the mouse
+    const SeaTriple& triple = *seaWordNamed(name)->triple;
+    std::array<float, 3> values = triple.of(model.seaDraft());
+    const auto high = static_cast<float>(triple.high);
+    if (ImGui::DragFloat3(name, values.data(), firstSteps, 0.0f, high, "%.4f /m",
+                          ImGuiSliderFlags_AlwaysClamp)) {
+        triple.put(model.seaDraft(), values);
+    }
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        model.finishSeaDraft();
+    }
+}
+
 template <class Value, std::size_t count>
 void drawChoice(ViewModel& model, const char* name, Value GpOceanDesc::*field,
                 const std::pair<const char*, Value> (&words)[count]) {
@@ -92,6 +106,9 @@ void drawWater(ViewModel& model) {
         drawNumber(model, "glint-density");
     }
     drawChoice(model, "masking", &GpOceanDesc::masking, kSeaMaskingWords);
+    drawTriple(model, "water-absorption");
+    drawTriple(model, "water-scattering");
+    drawNumber(model, "water-ior");
     bool isTransparent = model.seaDraft().transparent != 0;
     if (ImGui::Checkbox("transparent", &isTransparent)) {
         model.seaDraft().transparent = isTransparent ? 1 : 0;

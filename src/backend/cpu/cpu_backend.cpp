@@ -1,5 +1,6 @@
 // The CPU backend: Embree for rays, oneTBB for threads, one instruction set for the whole device.
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "backend/cpu/cpu_backend.h"
 #include "backend/cpu/rasterizer.h"
 #include "scene/bsdf_settings.h"
+#include "scene/sea.h"
 #include "scene/sky_pyramid.h"
 #include "shading/shading.h"
 
@@ -85,6 +87,26 @@ SceneView viewFor(const BackendScene& scene, const FramePlan& plan) {
     return view;
 }
 
+// What kernels know of the sea beside its surface. Local lighting and plain-diffuse pictures show
+// its surface alone.
+static void setWater(shared::FrameConstants& f, const SceneView& view, const FramePlan& plan) {
+    f.water_level = -std::numeric_limits<float>::max();
+    f.water_ior = 1.333f;
+    if (!view.sea || plan.mode == FrameMode::local || plan.shading == ShadingMode::diffuse) return;
+    const SeaSettings& sea = view.sea->settings();
+    f.water_attenuation = seaAttenuation(sea);
+    f.water_level = sea.level, f.water_ior = sea.ior;
+    if (view.sea->isBelow(plan.camera)) f.water |= WATER_CAMERA;
+    if (plan.mode == FrameMode::realtime) f.water |= WATER_BENDS;
+    // Wider than the waves: a guide that is narrower than what it guides to would miss some of it,
+    // which then comes seldom and bright. The least is what ocean_surface.glsl adds to any cone.
+    constexpr float wider = 2, least = 1.5e-4f;
+    const OceanMoments waves = view.sea->ocean().momentsAbove(0);
+    f.water_var_x = wider * waves.xx + least, f.water_var_y = wider * waves.yy + least;
+    f.water_cov = wider * waves.xy;
+    f.water_guided = view.directionalLights ? 0.5f : 0.0f;
+}
+
 shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan) {
     shared::FrameConstants f{};
     f.width = plan.width, f.height = plan.height;
@@ -107,9 +129,11 @@ shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& pl
     f.last_by_lights = plan.lastByLights;
     f.ray_length = plan.rayLength;
     if (plan.sky) f.sky = (view.sky ? SKY_TRACED : 0u) | (plan.skyDrawn ? SKY_DRAWN : 0u);
+    if (plan.hideBackground) f.sky |= SKY_HIDDEN;
     f.sky_viewer = plan.skyViewer;
     f.background_color = view.backgroundColor;
     f.background_image = view.background.side != 0;
+    setWater(f, view, plan);
     return f;
 }
 

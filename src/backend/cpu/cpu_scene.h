@@ -35,6 +35,7 @@ public:
     uint64_t accelerationBytes() const override { return uint64_t(embreeBytes_.load()); }
     uint64_t emissiveTriangles() const override { return lights_.emissiveTriangles; }
     const LightTable& lights() const override { return lights_; }
+    bool hasSlopes() const override { return materials_.hasSlopes(); }
     const SceneView& view() const { return view_; }
 
 private:

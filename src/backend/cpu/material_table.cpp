@@ -114,23 +114,16 @@ static uint32_t gltfFlags(const Material& m) {
     return flags;
 }
 
-// Glints are prepared before they are blended and never at a point: what is derived (the albedo of
-// their facets) is a smooth function of the parameters, and takes as long as a thousand points.
-static shading::BsdfParams layerParams(const BsdfSettings& settings) {
-    const shading::BsdfParams params = bareBsdfParams(settings);
-    return params.model == MODEL_GLINT ? shading::bsdf_prepared(params) : params;
-}
-
 // The stack: what does not vary over the surface is blended and prepared here, once. `colored`:
 // something else than m.baseColor multiplies its base colours.
 void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colored) {
     const bool masked = std::any_of(m.layers.begin(), m.layers.end(),
                                     [](const MaterialLayer& l) { return l.mask.texture; });
-    shading::BsdfParams bottom = layerParams(*m.layers[0].bsdf);
+    shading::BsdfParams bottom = bareBsdfParams(*m.layers[0].bsdf);
     r.first_layer = uint32_t(layers_.size());
     for (size_t i = 1; i < m.layers.size(); ++i) {
         const MaterialLayer& source = m.layers[i];
-        const shading::BsdfParams params = layerParams(*source.bsdf);
+        const shading::BsdfParams params = bareBsdfParams(*source.bsdf);
         if (!masked) {
             bottom = shading::bsdf_blended(bottom, params, source.weight);
             continue;
@@ -138,13 +131,14 @@ void MaterialTable::fillLayers(MaterialRecord& r, const Material& m, bool colore
         BsdfLayerRecord layer{};
         layer.weight = source.weight;
         layer.channel = source.mask.texture ? source.channel : NO_INDEX;
+        layer.squared = source.squared;
         if (source.mask.texture) fillUse(layer.mask_slot, source.mask);
         layer.bsdf = bsdfs_->add(params);
         layers_.push_back(layer);
     }
     r.layer_count = uint32_t(layers_.size()) - r.first_layer;
     const shading::BsdfParams prepared = shading::bsdf_prepared(bottom);
-    // Preparation may depend on what a texture varies.
+    // Preparation may depend on what a texture varies; glints are prepared for what a pixel sees.
     const bool glints = bottom.model == MODEL_GLINT;
     const bool later =
         !glints && (masked || (colored && shading::bsdf_needs_preparation(bottom.model)));
@@ -217,6 +211,7 @@ void MaterialTable::fill(const Scene& scene) {
     textures_.clear(), textureIndex_.clear();
     layers_.clear(), bsdfs_->all.clear(), textureLayers_.clear();
     slopes_.beginFill();
+    hasSlopes_ = false;
     // Colours of vertices count where any mesh of a material has them.
     std::unordered_map<const Material*, bool> vertexColors;
     for (const auto& instance : scene.instances)
@@ -231,6 +226,7 @@ void MaterialTable::fill(const Scene& scene) {
         else fillLayers(r, m, vertexColors[&m] || m.baseColorTexture.texture ||
                                   !m.textureLayers.empty() || instance->color != glm::vec4(1));
         fillSlopes(r, m);
+        hasSlopes_ |= r.model == MODEL_GLINT;
         records_.push_back(r);
     }
     slopes_.endFill();

@@ -20,6 +20,7 @@ public:
     // All materials of the scene's instances, anew.
     void fill(const Scene& scene);
     uint32_t indexOf(const Instance& instance) const { return index_.at(keyOf(instance)); }
+    bool hasSlopes() const { return hasSlopes_; }  // one of them is of the model `glint`
     // Pointers that hold until the next fill.
     void show(SceneView& view) const;
 
@@ -54,6 +55,7 @@ private:
     std::vector<shared::BsdfLayerRecord> layers_;
     std::vector<shared::TextureLayerRecord> textureLayers_;
     std::unique_ptr<Bsdfs> bsdfs_;
+    bool hasSlopes_ = false;
 };
 
 }  // namespace gp::cpu

@@ -68,7 +68,8 @@ inline void beginSample(Kernels& k, const TileJob& job, const CameraParams& came
     for (uint32_t i = 0; i < count; ++i) {
         Sampler draws = sampler_begin(t.pixels[i], sample, job.frame->seed);
         t.rays[i] = k.camera_ray_of_pixel(camera, t.pixels[i], draws);
-        t.paths[i] = k.path_begin(t.rays[i], cone, draws);
+        // In its place: a copy would wait until all its parts have been written one by one.
+        new (&t.paths[i]) PathState(k.path_begin(t.rays[i], cone, draws));
         t.alphaSeeds[i] = hash_u32(draws.pixel_hash + sample * 0x9E3779B9u);
     }
     k.trace_camera(t.rays, t.alphaSeeds, t.hits, count);
@@ -121,14 +122,10 @@ inline void traceSkyRow(const SkyRowJob& job) {
 }
 
 inline void tonemapPixels(const PixelSums* sums, u8vec4* display, size_t count, float exposureEv,
-                   uint32_t tonemap) {
-    const float scale = std::exp2(exposureEv);
-    const SceneView view{};
-    const FrameConstants frame{};
-    Kernels k(view, frame);
-    for (size_t i = 0; i < count; ++i) {
-        const float inv = sums[i].samples ? 1.0f / float(sums[i].samples) : 0.0f;
-        const vec4 c = k.tonemap_pixel(sums[i].color * inv, scale, tonemap);
-        display[i] = u8vec4(c * 255.0f + 0.5f);
-    }
+                          uint32_t tonemap) {
+    tonemapRow(
+        [&](size_t i) {
+            return sums[i].color * (sums[i].samples ? 1.0f / float(sums[i].samples) : 0.0f);
+        },
+        display, count, exposureEv, tonemap);
 }

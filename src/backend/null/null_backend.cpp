@@ -15,6 +15,7 @@ public:
     uint64_t accelerationBytes() const override { return 0; }
     uint64_t emissiveTriangles() const override { return 0; }
     const LightTable& lights() const override { return none_; }
+    bool hasSlopes() const override { return false; }
 
 private:
     LightTable none_;

@@ -19,6 +19,7 @@ void realtime_composite(ivec2 pixel, int) {
     vec3 diffuse = vec3(load_direct(pixel)) + composite_indirect(pixel);
     vec3 color = vec3(emission) + vec3(load_albedo(pixel)) * diffuse +
                  vec3(load_specular_albedo(pixel)) * vec3(load_specular(pixel));
+    if (load_realtime().suns_apart != 0u) { color += load_sun(pixel); }
     store_color(pixel, vec4(max(color, vec3(0.0f)), emission.w));
 }
 

@@ -46,7 +46,7 @@ OwnBounce take_bounce(INOUT(PathState) path, IN(PixelSurface) at, IN(Hit) hit, f
     if (path.light.indirect == vec3(0.0f)) { return own; }
     vec2 u = draw_at(path.draws, 1u, DRAW_LIGHT);
     PixelSurface there = bounce_surface(hit, way, u);
-    bool transmissive = f.diffuse_shading == 0u && (there.p.flags & MATERIAL_TRANSMISSIVE) != 0u;
+    bool transmissive = f.diffuse_shading == 0u && (there.p.flags & MATERIAL_LIT_FROM_BELOW) != 0u;
     PathVertex vertex = path_vertex(there.s, there.wo, transmissive);
     LightChoice choice = choose_light(vertex.groups, vertex.position, vertex.normal,
                                       draw_at(path.draws, 1u, DRAW_CHOICES).x);

@@ -1,14 +1,15 @@
 // The light of the surface that a pixel shows, with about one path: a shadow ray to a directional
 // light, one to any other light, and one ray by the material, whose path goes on as the
 // reference's does. What they bring is kept in three channels: diffuse light of lamps and sky,
-// diffuse light of surfaces, and all else.
-// Resources: load_gradient_sample, store_… of the channels and luma, note_draws, and those of
-// light_reuse.glsl and indirect_reuse.glsl.
+// diffuse light of surfaces, and all else; and beside them the suns that facets of slopes reflect.
+// Resources: load_gradient_sample, store_… of the channels, sun and luma, note_draws, and those of
+// light_reuse.glsl, indirect_reuse.glsl and sun_reflection.glsl.
 #ifndef GP_KERNELS_REALTIME_LIGHTING_GLSL
 #define GP_KERNELS_REALTIME_LIGHTING_GLSL
 #include "kernels/realtime/indirect_reuse.glsl"
 #include "kernels/realtime/light_reuse.glsl"
 #include "kernels/realtime/pixel_surface.glsl"
+#include "kernels/realtime/sun_reflection.glsl"
 #include "shading/ycocg.glsl"
 
 // Draws of lighting start here, behind those of the longest way through mirrors.
@@ -58,7 +59,7 @@ PixelLight add_indirect(PixelLight sum, IN(PixelSurface) at, vec3 wi, vec3 diffu
 PixelLight add_shadow_ray(PixelLight sum, IN(PixelSurface) at, IN(ChosenLight) choice,
                           float resampled) {
     ShadowedLight arrived =
-        shadowed_light(at.s, at.p, choice, at.wo_local, at.wo, vec3(0.0f), true, resampled);
+        shadowed_light(at.s, at.p, choice, at.wo_local, at.wo, at.around, true, resampled);
     if (arrived.light == vec3(0.0f)) { return sum; }
     return add_direct(sum, at, arrived.wi_local, arrived.f_cos, 1.0f, arrived.light);
 }
@@ -95,9 +96,10 @@ struct BouncedLight {
 };
 
 // The ray by the material, and the path behind it. `reuse`: the light that its first surface's
-// shadow ray finds is not added where it can be resampled.
+// shadow ray finds is not added where it can be resampled. `suns_apart`: nor are the suns that it
+// meets on the side of the surface from which it comes.
 BouncedLight add_bounce(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex,
-                        IN(PathState) start, IN(BsdfSample) b, bool reuse) {
+                        IN(PathState) start, IN(BsdfSample) b, bool reuse, bool suns_apart) {
     PathState path = start;
     BouncedLight bounced;
     bounced.sum = sum;
@@ -105,13 +107,17 @@ BouncedLight add_bounce(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vert
     path_leave(path, at.s, at.p, vertex, at.wo_local, b, -1.0f);
     if (path.ended != 0u) { return bounced; }
     path.throughput = vec3(1.0f);
+    bool reflected = suns_apart && same_side(at.p.bsdf, at.wo_local, b.wi);
+    path.from.groups.suns_elsewhere = reflected ? 1u : 0u;
     path.hit = trace_closest(path.ray);
     vec3 wi = path.ray.direction;
     sum.specular_distance =
         path.hit.instance == HIT_NOTHING ? SKY_DISTANCE : min(path.hit.t, SKY_DISTANCE);
     Hit first = path.hit;
+    // Ways of light that pixels hand on lead through one medium and are not bent.
+    bool handed_on = reuse && path.water == 0u;
     path_continue(path);
-    if (reuse && first.instance < HIT_LIGHT) {
+    if (handed_on && first.instance < HIT_LIGHT) {
         bounced.own = take_bounce(path, at, first, b.pdf);
     }
     while (path.ended == 0u) {
@@ -142,12 +148,25 @@ PixelLight add_resampled_bounce(PixelLight sum, ivec2 pixel, ivec2 past, IN(Pixe
                         path.light * (weight * path.geometry));
 }
 
-PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler draws) {
+// Unless the sun is apart, or behind the surface.
+PixelLight add_sun_ray(PixelLight sum, IN(PixelSurface) at, IN(PathVertex) vertex,
+                       IN(SunLight) suns, Sampler own) {
+    if (!(vertex.groups.directional > 0.0f)) { return sum; }
+    ChosenLight sun = choose_light_point(light_groups_directional(vertex.groups), vertex.position,
+                                         vertex.normal, draw_at(own, 0u, DRAW_SUN_CHOICE).x,
+                                         draw_at(own, 0u, DRAW_SUN));
+    bool known = suns.apart != 0u && same_side(at.p.bsdf, at.wo_local,
+                                               local_from_world(at.p.frame, sun.point.wi));
+    return known ? sum : add_shadow_ray(sum, at, sun, 0.0f);
+}
+
+PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, IN(SunLight) suns,
+                       Sampler draws) {
     PixelLight sum;
     sum.direct = vec3(0.0f);
     sum.indirect = vec3(0.0f);
     sum.indirect_from = vec3(0.0f);
-    sum.specular = vec3(0.0f);
+    sum.specular = suns.matte * at.throughput * at.inv_specular_albedo;
     sum.specular_distance = 0.0f;
     bool transmissive = (at.p.flags & MATERIAL_LIT_FROM_BELOW) != 0u;
     PathVertex vertex = path_vertex(at.s, at.wo, transmissive);
@@ -159,12 +178,7 @@ PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler dra
     draws.dimension = LIGHTING_DRAWS + LIGHTING_OWN_DRAWS;
     vec2 u_choices = draw_at(draws, 0u, DRAW_CHOICES);
     if (!bsdf_is_specular(at.p.bsdf)) {
-        if (vertex.groups.directional > 0.0f) {
-            ChosenLight sun = choose_light_point(
-                light_groups_directional(vertex.groups), vertex.position, vertex.normal,
-                draw_at(own, 0u, DRAW_SUN_CHOICE).x, draw_at(own, 0u, DRAW_SUN));
-            sum = add_shadow_ray(sum, at, sun, 0.0f);
-        }
+        sum = add_sun_ray(sum, at, vertex, suns, own);
         if (reuse) {
             sum = add_resampled_ray(sum, pixel, past, at, vertex, draws);
         } else {
@@ -187,8 +201,10 @@ PixelLight pixel_light(ivec2 pixel, ivec2 past, IN(PixelSurface) at, Sampler dra
     cone.width = 0.0f;
     cone.spread = camera_pixel_spread(load_camera(), float(load_realtime().size.y));
     bool indirect_reuse = load_realtime().indirect_reuse != LIGHT_REUSE_NONE;
+    PathState start = path_begin(arriving, cone, draws);
+    path_set_water(start, path_water_behind(at.water, at.p, at.around));
     BouncedLight bounced =
-        add_bounce(sum, at, vertex, path_begin(arriving, cone, draws), b, indirect_reuse);
+        add_bounce(sum, at, vertex, start, b, indirect_reuse, suns.apart != 0u);
     return indirect_reuse
                ? add_resampled_bounce(bounced.sum, pixel, past, at, bounced.own, draws)
                : bounced.sum;
@@ -210,6 +226,31 @@ void store_pixel_light(ivec2 pixel, IN(PixelLight) light) {
                            0.0f));
 }
 
+// Light of a surface, of the draws with which it was loaded.
+SunLight suns_on(IN(PixelSurface) at, Sampler draws) {
+    if (!suns_are_apart(at)) { return sun_light_none(); }
+    draws.dimension = LIGHTING_DRAWS;
+    return light_of_suns(at, draw_at(draws, 0u, DRAW_SUN));
+}
+
+// A pixel that repeats another one lights a point of that one: as no filter follows that would hide
+// it, the suns of its own point are computed too.
+void store_own_suns(ivec2 pixel, ivec2 past, uint mirrors, IN(PixelSurface) at,
+                    IN(SunLight) suns) {
+    vec3 shown = suns.facets * at.throughput;
+    if (past.x >= 0 && suns.apart != 0u) {
+        Sampler draws = realtime_draws(pixel, load_realtime().frame_index);
+        draws.dimension = CAMERA_DRAWS;
+        note_draws(draws);
+        PixelSurface own = load_pixel_surface(pixel, draws, mirrors);
+        draws.dimension = LIGHTING_DRAWS;
+        shown = own.p.bsdf.model == MODEL_GLINT
+                    ? light_of_suns(own, draw_at(draws, 0u, DRAW_SUN)).facets * own.throughput
+                    : vec3(0.0f);
+    }
+    store_sun(pixel, finite_or_black(shown));
+}
+
 void realtime_light(ivec2 pixel) {
     LET_REF(RealtimeConstants) r = load_realtime();
     PixelMaterial m = unpack_material(load_material(pixel));
@@ -221,6 +262,7 @@ void realtime_light(ivec2 pixel) {
     none.specular_distance = SKY_DISTANCE;
     if ((m.flags & (REALTIME_SKY | REALTIME_UNLIT)) != 0u) {
         store_pixel_light(pixel, none);
+        if (r.suns_apart != 0u) { store_sun(pixel, vec3(0.0f)); }
         if (r.light_reuse != LIGHT_REUSE_NONE) { keep_reservoir(pixel, reservoir_empty(), true); }
         if (r.indirect_reuse != LIGHT_REUSE_NONE) {
             keep_indirect_reservoir(pixel, indirect_reservoir_empty());
@@ -249,11 +291,13 @@ void realtime_light(ivec2 pixel) {
     } else {
         at = load_pixel_surface(pixel, draws, m.mirrors);
     }
-    PixelLight light = pixel_light(pixel, past, at, draws);
+    SunLight suns = suns_on(at, draws);
+    PixelLight light = pixel_light(pixel, past, at, suns, draws);
     // Waves turn the mirror from pixel to pixel: what tells their reflections apart is on the water
     // and goes with it, as the image in a mirror so strongly curved lies close behind it.
     if ((at.p.flags & MATERIAL_SEA) != 0u) { light.specular_distance = 0.0f; }
     store_pixel_light(pixel, light);
+    if (r.suns_apart != 0u) { store_own_suns(pixel, past, m.mirrors, at, suns); }
 }
 
 #endif

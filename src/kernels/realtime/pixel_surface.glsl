@@ -14,6 +14,8 @@ struct PixelSurface {
     vec3 throughput;
     vec3 inv_albedo;           // 0 where there is no albedo
     vec3 inv_specular_albedo;
+    uint water;                // PATH_ bits of the view
+    Around around;             // on the view's side
     uint exists;               // 0: nothing of the rest is set
 };
 
@@ -69,6 +71,8 @@ PixelSurface surface_in_cone(IN(Hit) hit, vec3 wo, IN(RayCone) cone, float u_lod
     at.throughput = vec3(1.0f);
     at.inv_albedo = vec3(0.0f);
     at.inv_specular_albedo = vec3(0.0f);
+    at.water = 0u;
+    at.around = around_of(vec3(0.0f));
     at.exists = 1u;
     return at;
 }
@@ -86,10 +90,28 @@ vec3 diffuse_share(IN(PixelSurface) at, vec3 wi_local, vec3 f, float inv_pdf) {
                ? f : bsdf_diffuse_part(at.p.bsdf, at.wo_local, wi_local) * inv_pdf;
 }
 
+// The surface with what its view comes through. Straight from the camera that is what the camera is
+// in. Behind mirrors and panes, of which calm water is one, it is by the level that a surface is
+// below the sea or not.
+PixelSurface in_its_medium(IN(PixelSurface) surface, uint mirrors) {
+    LET_REF(FrameConstants) f = load_frame();
+    PixelSurface at = surface;
+    bool below = (f.water & WATER_CAMERA) != 0u;
+    if (mirrors > 0u) {
+        below = (at.p.flags & MATERIAL_SEA) != 0u ? at.s.front == 0u
+                                                  : at.s.position.y < f.water_level;
+    }
+    if (!below) { return at; }
+    at.water = PATH_IN_WATER;
+    at.around = path_around(at.water, f.water_attenuation, at.p);
+    return at;
+}
+
 PixelSurface load_pixel_surface(ivec2 pixel, IN(Sampler) primary_draws, uint mirrors) {
     Hit hit = hit_of_pixel(load_hit(pixel), load_barycentrics(pixel));
     PixelSurface at = pixel_surface(hit, octahedral_decode(load_view(pixel)), load_depth(pixel),
                                     draw_at(primary_draws, mirrors, DRAW_OTHERS).x);
+    at = in_its_medium(at, mirrors);
     at.throughput = vec3(load_throughput(pixel));
     at.inv_albedo = inverse_or_zero(vec3(load_albedo(pixel)));
     at.inv_specular_albedo = inverse_or_zero(vec3(load_specular_albedo(pixel)));
@@ -120,6 +142,7 @@ PixelSurface load_repeated_surface(ivec2 pixel, ivec2 past, IN(Sampler) past_dra
     PixelSurface at =
         past_surface_at(past, load_depth(pixel), draw_at(past_draws, 0u, DRAW_OTHERS).x);
     if (at.exists == 0u) { return at; }
+    at = in_its_medium(at, 0u);
     PixelAlbedo albedo = pixel_albedo(at.p, at.wo, vec3(1.0f));
     at.inv_albedo = inverse_or_zero(unorm8_rounded(albedo.diffuse));
     at.inv_specular_albedo = inverse_or_zero(unorm8_rounded(albedo.specular));

@@ -10,7 +10,8 @@
 #ifndef GP_SHADING_BSDF_GLINT_GLSL
 #define GP_SHADING_BSDF_GLINT_GLSL
 #include "shading/frame.glsl"
-#include "shading/microfacet/mirror_albedo.glsl"
+#include "shading/microfacet/cavity_albedo.glsl"
+#include "shading/microfacet/multiple_scattering.glsl"
 #include "shading/sampling/hash.glsl"
 #include "shading/sampling/sobol.glsl"
 #include "shading/sampling/warps.glsl"
@@ -32,36 +33,32 @@ float glint_through(IN(BsdfParams) m, float cos_w) {
 }
 
 // With the albedo of the dielectric facets, by which the base is coupled to them: twelve values of
-// a polynomial in the root of the cosine, which Schlick's term is where facets are smooth.
-BsdfParams glint_prepared(BsdfParams m) {
+// a polynomial in the root of the cosine, which Schlick's term is where facets are smooth. Quick
+// enough for every point that is seen.
+BsdfParams glint_prepared(BsdfParams m, float alpha) {
     Chebyshev reflected = chebyshev_none();
     m.slot_j.x = 1.0f;
     if (gltf_has_diffuse(m)) {
-        Distribution d;
-        d.kind = DISTRIBUTION_BECKMANN;
-        d.alpha_x = mean_alpha(m);
-        d.alpha_y = d.alpha_x;
-        d.shape = 2.0f;
-        d.fit.low = vec4(0.0f);  // of Smith's masking, which V-cavities do without
-        d.fit.high = vec4(0.0f);
-        float f0 = f0_from_ior(m.ior);
-        for (int k = 0; k < 12; ++k) {
-            float root = chebyshev_node(k, 12);
-            GgxAlbedo e = mirror_albedo(d, MASKING_V_CAVITY, root * root);
-            float value = ggx_albedo_fresnel(e, f0, 1.0f);
-            reflected = chebyshev_with_node(reflected, value, k, 12);
-        }
+        reflected = cavity_albedo(alpha, f0_from_ior(m.ior));
+        m.slot_j.x = clamp(1.0f - cavity_albedo_average(reflected), 0.0f, 1.0f);
     }
     m.slot_g = reflected.low;
     m.slot_h = reflected.middle;
     m.slot_i = reflected.high;
-    float sum = 0.0f;
-    for (int i = 0; i < 64; ++i) {
-        float x = (float(i) + 0.5f) / 64.0f;
-        sum += x * x * x * glint_through(m, x * x);
-    }
-    m.slot_j.x = sum / 16.0f;
     return m;
+}
+
+BsdfParams glint_prepared(BsdfParams m) {
+    return glint_prepared(m, mean_alpha(m));
+}
+
+// The base of a point whose facets, with the pixel's kernel, are wider than the material's own.
+BsdfParams glint_prepared_at(BsdfParams m) {
+    if (!gltf_has_diffuse(m)) { return m; }
+    Slopes d = glint_kernel_added(glint_material_slopes(m), vec2(m.slot_e.x, m.slot_e.y),
+                                  vec2(m.slot_e.z, m.slot_e.w));
+    // The root of the mean square of both widths, as mean_alpha.
+    return glint_prepared(m, sqrt(d.var_x + d.var_y));
 }
 
 // What depends on the view alone: turned to the front, with what the matte base needs.
@@ -88,9 +85,9 @@ float glint_base_probability(IN(BsdfParams) m, float through) {
     return min(base / max(base + clear + facets, 1.0e-6f), GLINT_MOST_DIFFUSE);
 }
 
-GlintView glint_view(IN(BsdfParams) m, vec3 wo) {
+GlintView glint_view(IN(BsdfParams) m, vec4 kernel, vec3 wo) {
     GlintView view;
-    view.g = glint_of(m);
+    view.g = glint_of(m, kernel);
     view.turned = slope_facing(view.g.slopes.mean, wo) < 0.0f;
     view.o = view.turned ? glint_turned(m, wo) : wo;
     bool inside = view.turned && m.thin == 0u;
@@ -103,6 +100,10 @@ GlintView glint_view(IN(BsdfParams) m, vec3 wo) {
         view.p_base = glint_base_probability(m, view.through);
     }
     return view;
+}
+
+GlintView glint_view(IN(BsdfParams) m, vec3 wo) {
+    return glint_view(m, m.slot_e, wo);
 }
 
 BsdfValue glint_base_eval(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
@@ -144,12 +145,17 @@ BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
     return v;
 }
 
-BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
+// kernel: in the place of the material's own, slot_e.
+BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec4 kernel, vec3 wo, vec3 wi) {
     if (glint_is_black(m, wo) || slope_facing(glint_mean(m), wi) == 0.0f) {
         return bsdf_no_value();
     }
-    GlintView view = glint_view(m, wo);
+    GlintView view = glint_view(m, kernel, wo);
     return glint_eval_view(m, view, view.turned ? glint_turned(m, wi) : wi);
+}
+
+BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
+    return glint_bsdf_eval(m, m.slot_e, wo, wi);
 }
 
 bool glint_bsdf_is_specular(IN(BsdfParams) m) {
@@ -162,8 +168,7 @@ bool glint_bsdf_is_specular(IN(BsdfParams) m) {
 vec3 glint_sample_facet(IN(BsdfParams) m, IN(GlintView) view, float u_lobe, vec2 u,
                         vec2 u_facet) {
     vec2 mean = view.g.slopes.mean;
-    vec2 s = glint_method(m) == GLINT_DICTIONARY ? glint_sample(view.g, u, u_facet.x)
-                                                 : slopes_sample(view.g.slopes, u);
+    vec2 s = glint_slope_sample(glint_method(m), view.g, u, u_facet.x);
     s = sheared_cavity_visible(mean, s, view.o, u_facet.y);
     vec3 wm = facet_of(s);
     float cos_h = dot(view.o, wm);

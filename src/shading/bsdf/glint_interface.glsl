@@ -35,6 +35,14 @@ Slopes glint_material_slopes(IN(BsdfParams) m) {
     return d;
 }
 
+// As rough as a texel of glTF's metallic-roughness textures says, of a factor's share.
+BsdfParams glint_with_roughness(BsdfParams m, float share) {
+    float stretched = (m.alpha_x - m.alpha_y) / max(1.0f - m.alpha_y, 1.0e-6f);
+    m.alpha_y = max(m.alpha_y * share * share, BSDF_MIN_ALPHA);
+    m.alpha_x = max(m.alpha_y + (1.0f - m.alpha_y) * stretched, BSDF_MIN_ALPHA);
+    return m;
+}
+
 // All that is smaller than the footprint but the pixel's kernel, in the material's place.
 BsdfParams glint_with_slopes(BsdfParams m, IN(Slopes) d) {
     m.alpha_x = sqrt(2.0f * d.var_x);
@@ -46,11 +54,12 @@ BsdfParams glint_with_slopes(BsdfParams m, IN(Slopes) d) {
     return m;
 }
 
-// The point that is seen, with everything that is smaller than the footprint.
-Glint glint_of(IN(BsdfParams) m) {
+// The point that is seen, with everything that is smaller than the footprint. kernel: the changes
+// of the half vector along both axes of the pixel.
+Glint glint_of(IN(BsdfParams) m, vec4 kernel) {
     Glint g;
-    g.k0 = vec2(m.slot_e.x, m.slot_e.y);
-    g.k1 = vec2(m.slot_e.z, m.slot_e.w);
+    g.k0 = vec2(kernel.x, kernel.y);
+    g.k1 = vec2(kernel.z, kernel.w);
     g.slopes = glint_kernel_added(glint_material_slopes(m), g.k0, g.k1);
     g.uv = vec2(m.slot_c.x, m.slot_c.y);
     g.d0 = vec2(m.slot_d.x, m.slot_d.y);
@@ -63,8 +72,12 @@ Glint glint_of(IN(BsdfParams) m) {
     return g;
 }
 
-// Density of slopes, and the one by which they are drawn: only the dictionary has a sampling of its
-// own, the others' facets are met by chance.
+Glint glint_of(IN(BsdfParams) m) {
+    return glint_of(m, m.slot_e);
+}
+
+// Density of slopes, and the one by which they are drawn: the same, but for facets that are counted
+// where there are so few that a pixel has more or less of them than one would expect.
 struct GlintDensity {
     float value;
     float drawn;
@@ -72,13 +85,27 @@ struct GlintDensity {
 
 GlintDensity glint_density(uint method, IN(Glint) g, vec2 s) {
     GlintDensity d;
-    d.drawn = method == GLINT_DICTIONARY ? glint_p22(g, s) : slopes_p22(g.slopes, s);
-    d.value = d.drawn;
     if (method == GLINT_COUNTING || method == GLINT_ZIRR) {
-        float facets = method == GLINT_COUNTING ? glint_counting_p22(g, s) : glint_zirr_p22(g, s);
-        d.value = d.drawn > 0.0f ? facets : 0.0f;
+        CountedFacets c;
+        if (method == GLINT_COUNTING) {
+            c = glint_counting(g, s);
+        } else {
+            c = glint_zirr(g, s);
+        }
+        d.value = c.p22;
+        d.drawn = c.whole > 0.0f ? c.p22 / c.whole : slopes_p22(g.slopes, s);
+        return d;
     }
+    d.value = method == GLINT_DICTIONARY ? glint_p22(g, s) : slopes_p22(g.slopes, s);
+    d.drawn = d.value;
     return d;
+}
+
+// A slope by the density `drawn`; u_facet chooses the facet.
+vec2 glint_slope_sample(uint method, IN(Glint) g, vec2 u, float u_facet) {
+    if (method == GLINT_DICTIONARY) { return glint_sample(g, u, u_facet); }
+    if (method == GLINT_COUNTING) { return glint_counting_sample(g, u, u_facet); }
+    return method == GLINT_ZIRR ? glint_zirr_sample(g, u, u_facet) : slopes_sample(g.slopes, u);
 }
 
 // To the normal of the mesosurface, of length >= 1.

@@ -57,9 +57,12 @@ IN_LOOPS GlintCell glint_cell(IN(GlintLevel) level, int x, int y) {
     // Products for conditions: no branches, so that compilers make vectors of it.
     float facets = float(at < GLINT_LEVELS) * float(glint_bits(h.y) < level.occupied);
     c.share = level.share * facets;
-    uint first = uint(min(at, GLINT_LEVELS - 1)) * GLINT_ENTRIES;
-    c.row_x = (first + (((h.z & 65535u) * GLINT_ENTRIES) >> 16u)) * GLINT_ROW;
-    c.row_y = (first + (((h.z >> 16u) * GLINT_ENTRIES) >> 16u)) * GLINT_ROW;
+    uint row = uint(min(at, GLINT_LEVELS - 1));
+    uint entries = glint_entries(row) - 1u;
+    // The lower bits say the row, the ones above which of its children: a cell with fewer facets
+    // that has the numbers of this one has facets of this one.
+    c.row_x = glint_row(row, (h.z >> 6u) & entries);
+    c.row_y = glint_row(row, (h.z >> 22u) & entries);
     // A quarter turn would do no more than exchange the rows.
     c.turn = sincos_eighth(0.25f * glint_bits(h.y >> 16u) - 0.125f);
     return c;

@@ -1,26 +1,39 @@
 // The dictionary of glints: 1D distributions of slope, each of few or many narrow lobes, whose mean
 // is the normal distribution. scene/glint_dictionary.cpp makes it; this is how it is read.
 //
-// Unit: the standard deviation, which is 1 in all of them. An entry at level l holds 2^l lobes and
-// their mirror images, the same ones as at level l - 1 and as many more; it is kept four times for
-// four widths of kernel, in which lobes have the width 2^m / 16 and lie as much closer together
-// that the variance stays. Width 4 is the normal distribution, the same for all.
+// Unit: the standard deviation, which is 1 in all of them. Rows are the nodes of two binary trees,
+// each the mean of its two children, down to level 0 with one lobe and its mirror image; a level
+// has half as many as the one below. The lobes below a node are stratified, one in each of as many
+// equal shares of the normal distribution, so that the contrast of a product of two rows falls with
+// the number of its facets as that of single facets does. A row is kept four times for four widths
+// of kernel, in which lobes have the width 2^m / 16 and lie as much closer together that the
+// variance stays. Width 4 is the normal distribution, the same for all.
 //
 // A row holds averages over bins of [0, 4], 64 | 32 | 16 | 16 of them. It is read linearly between
 // centres of bins and mirrored at both ends, so that what is read integrates to what was stored,
-// 1/2, exactly. Row of level l, entry i: (l * GLINT_ENTRIES + i) * GLINT_ROW; after the last row
-// 16 averages of the normal distribution.
+// 1/2, exactly. Row `entry` of a level: glint_row; its children on the level below are `entry` and
+// `entry` + glint_entries(level). After the last row 16 averages of the normal distribution.
 // Based on: Chermain et al. 2020, "Procedural Physically based BRDF for Real-Time Rendering of
-// Glints", section 5; bins for nodes, widths for MIP levels, and where means lie are ours.
+// Glints", section 5; bins for nodes, widths for MIP levels, trees and where means lie are ours.
 #ifndef GP_SHADING_GLINT_DICTIONARY_GLSL
 #define GP_SHADING_GLINT_DICTIONARY_GLSL
 
-#define GLINT_LEVELS 16
-#define GLINT_ENTRIES 192u
+#define GLINT_LEVELS 10
+#define GLINT_LEAVES 1024u  // of both trees: 2^GLINT_LEVELS, 10 bits of a cell's numbers
 #define GLINT_ROW 128u
-#define GLINT_NORMAL_ROW (16u * GLINT_ENTRIES * GLINT_ROW)
+#define GLINT_NORMAL_ROW ((2u * GLINT_LEAVES - 2u) * GLINT_ROW)
 #define GLINT_WORDS (GLINT_NORMAL_ROW + 16u)
 #define GLINT_REACH 4.0f  // where the tables end
+
+// How many rows a level has.
+IN_LOOPS uint glint_entries(uint level) {
+    return GLINT_LEAVES >> level;
+}
+
+// Where a row begins. Levels follow each other from 0 on.
+IN_LOOPS uint glint_row(uint level, uint entry) {
+    return (2u * GLINT_LEAVES - (2u * GLINT_LEAVES >> level) + entry) * GLINT_ROW;
+}
 
 // Where one width of a row lies.
 struct GlintBins {

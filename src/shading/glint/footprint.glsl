@@ -8,6 +8,10 @@
 
 // Longer ellipses are made wider: the number of cells stays below 100 and nothing is cut off.
 #define GLINT_ANISOTROPY 4.0f
+// What is taken of the area of the published ellipse (radii of a pixel and of a cell): less is
+// nearer to a pixel's own box and has fewer cells. At 0.5 an ellipse may lie between all cells, and
+// pictures flicker by a tenth and more.
+#define GLINT_FILTER 0.7f
 
 // The quadric matrix of the ellipse, in the units of uv.
 struct GlintFootprint {
@@ -38,18 +42,26 @@ struct Ellipse {
     float skew;    // x of the middle of its rows, by y
     float width;   // half of the row through the centre
     float height;  // half
-    int last;      // y of the last row
+    int first;     // y of the first row
+    int last;
 };
+
+// Of any number of cells; conversion rounds to zero.
+IN_LOOPS int ellipse_floor(float x) {
+    int i = int(x);
+    return i - int(x < float(i));
+}
 
 // Filter and the cell's own reconstruction: both matrices are added. uv is limited to where floats
 // still tell cells apart.
-Ellipse ellipse_of(IN(GlintFootprint) f, vec2 uv, float cells) {
+Ellipse ellipse_of(IN(GlintFootprint) f, vec2 uv, float cells, float filter_area) {
     Ellipse e;
     e.centre = vec2(clamp(uv.x * cells, -4.0e6f, 4.0e6f) - 0.5f,
                     clamp(uv.y * cells, -4.0e6f, 4.0e6f) - 0.5f);
-    float xx = f.xx * cells * cells + 1.0f;
-    float xy = f.xy * cells * cells;
-    float yy = f.yy * cells * cells + 1.0f;
+    float area = filter_area * cells * cells;
+    float xx = f.xx * area + filter_area;
+    float xy = f.xy * area;
+    float yy = f.yy * area + filter_area;
     float det = xx * yy - xy * xy;
     e.a = yy / det;
     e.b = -2.0f * xy / det;
@@ -57,21 +69,30 @@ Ellipse ellipse_of(IN(GlintFootprint) f, vec2 uv, float cells) {
     e.skew = xy / yy;
     e.width = sqrt(det / yy);
     e.height = sqrt(yy);
-    e.last = int(floor(e.centre.y + e.height));
+    e.first = ellipse_floor(e.centre.y - e.height) + 1;
+    e.last = ellipse_floor(e.centre.y + e.height);
     return e;
 }
 
-// A row of cells: the x of its first and its last one, and its y.
-ivec3 ellipse_row(IN(Ellipse) e, int y) {
+int ellipse_rows(IN(Ellipse) e) {
+    return e.last - e.first + 1;
+}
+
+// The x of the first and the last cell of a row.
+struct EllipseRow {
+    int start;
+    int end;
+};
+
+IN_LOOPS EllipseRow ellipse_row(IN(Ellipse) e, int y) {
     float ty = float(y) - e.centre.y;
     float reach = ty / e.height;
     float half_width = e.width * sqrt(max(1.0f - reach * reach, 0.0f));
     float middle = e.centre.x + e.skew * ty;
-    return ivec3(int(ceil(middle - half_width)), int(floor(middle + half_width)), y);
-}
-
-ivec3 ellipse_first_row(IN(Ellipse) e) {
-    return ellipse_row(e, int(ceil(e.centre.y - e.height)));
+    EllipseRow row;
+    row.start = ellipse_floor(middle - half_width) + 1;
+    row.end = ellipse_floor(middle + half_width);
+    return row;
 }
 
 // exp(-2 r^2) - exp(-2) inside, 0 outside, as a polynomial with an error of 8e-4, so that

@@ -78,83 +78,98 @@ GlintSteps glint_steps(IN(GlintPyramid) p, vec2 uv, uint seed) {
     GlintSteps s;
     s.low = glint_level(p, level, seed);
     s.high = glint_level(p, level + 1, seed);
-    s.low_cells = ellipse_of(p.footprint, uv, glint_cells_per_unit(p, level));
-    s.high_cells = ellipse_of(p.footprint, uv, glint_cells_per_unit(p, level + 1));
+    s.low_cells = ellipse_of(p.footprint, uv, glint_cells_per_unit(p, level), GLINT_FILTER);
+    s.high_cells = ellipse_of(p.footprint, uv, glint_cells_per_unit(p, level + 1),
+                              GLINT_FILTER);
     s.share = p.level - float(level);
     return s;
 }
 
-// The mean over the cells of both levels, weighted within each and then by the levels' shares. It
-// takes 16 of them at a time and in three steps, each a loop that compilers turn into vectors:
-// hashes, look-ups along both axes, sums. Out of line: then there is one copy, and compilers have
-// no reason to leave a part of it scalar.
+// Cells that one turn of the loops below takes, and the most that a footprint has of them.
+#define GLINT_BLOCK 16
+#define GLINT_MOST_CELLS 112
+
+// The mean over the cells of both levels, weighted within each and then by the levels' shares:
+// rows of cells, then cells in blocks, in three steps each: hashes, look-ups along both axes, sums.
+// All are loops that compilers turn into vectors. Out of line: then there is one copy, and
+// compilers have no reason to leave a part of it scalar.
 OUT_OF_LINE float glint_mean_of_cells(IN(GlintQuery) q, IN(GlintSteps) s) {
+    int lefts[GLINT_MOST_CELLS + GLINT_BLOCK];  // x less the number of the cell: one for a row
+    int ys[GLINT_MOST_CELLS + GLINT_BLOCK];
+    int count = 0;
+    int low_count = 0;
+    int low_rows = ellipse_rows(s.low_cells);
+    int rows_left = low_rows + (s.share > 0.0f ? ellipse_rows(s.high_cells) : 0);
+    for (int first = 0; first < rows_left; first += 8) {
+        int starts[8];
+        int ends[8];
+        for (int i = 0; i < 8; ++i) {
+            int r = first + i;
+            int on_high = int(r >= low_rows);
+            EllipseRow row = ellipse_row(s.low_cells, s.low_cells.first + r);
+            EllipseRow high = ellipse_row(s.high_cells, s.high_cells.first + r - low_rows);
+            starts[i] = row.start + on_high * (high.start - row.start);
+            ends[i] = row.end + on_high * (high.end - row.end);
+        }
+        for (int i = 0; i < min(8, rows_left - first); ++i) {
+            int r = first + i;
+            low_count = r == low_rows ? count : low_count;
+            int y = r < low_rows ? s.low_cells.first + r : s.high_cells.first + r - low_rows;
+            int left = starts[i] - count;
+            int end = min(count + ends[i] - starts[i] + 1, GLINT_MOST_CELLS);
+            for (; count < end; count += 8) {
+                for (int k = 0; k < 8; ++k) {
+                    lefts[count + k] = left;
+                    ys[count + k] = y;
+                }
+            }
+            count = end;
+        }
+    }
+    low_count = rows_left == low_rows ? count : low_count;
+    for (int k = 0; k < GLINT_BLOCK; ++k) {
+        lefts[count + k] = lefts[0] - count;
+        ys[count + k] = ys[0];
+    }
     float sum_low = 0.0f;
     float sum_high = 0.0f;
     float all_low = 0.0f;
     float all_high = 0.0f;
-    Ellipse e = s.low_cells;
-    int level = 0;
-    ivec3 row = ellipse_first_row(e);
-    while (level < 2) {
-        int xs[24];
-        int ys[24];
-        float levels[24];
-        for (int i = 0; i < 16; ++i) {
-            xs[i] = 0;
-            ys[i] = 0;
-            levels[i] = 0.0f;
-        }
-        int count = 0;
-        while (count < 16 && level < 2) {
-            for (int i = 0; i < 8; ++i) {
-                xs[count + i] = row.x + i;
-                ys[count + i] = row.z;
-                levels[count + i] = float(level);
-            }
-            int taken = clamp(row.y - row.x + 1, 0, min(16 - count, 8));
-            count += taken;
-            row.x += taken;
-            if (row.x > row.y) {
-                row = ellipse_row(e, row.z + 1);
-                if (row.z > e.last) {
-                    level += s.share > 0.0f ? 1 : 2;
-                    e = s.high_cells;
-                    row = ellipse_first_row(e);
-                }
-            }
-        }
-        float low[16];
-        float high[16];
-        float shares[16];
-        uint rows[32];
-        float places[32];
-        float kernels[32];
-        for (int i = 0; i < 16; ++i) {
-            float known = float(i < count);
-            low[i] = ellipse_weight(s.low_cells, xs[i], ys[i]) * (1.0f - levels[i]) * known;
-            high[i] = ellipse_weight(s.high_cells, xs[i], ys[i]) * levels[i] * known;
-            GlintCell c = glint_cell(glint_level_between(s.low, s.high, levels[i]), xs[i], ys[i]);
+    for (int first = 0; first < count; first += GLINT_BLOCK) {
+        float low[GLINT_BLOCK];
+        float high[GLINT_BLOCK];
+        float shares[GLINT_BLOCK];
+        uint rows[2 * GLINT_BLOCK];
+        float places[2 * GLINT_BLOCK];
+        float kernels[2 * GLINT_BLOCK];
+        for (int i = 0; i < GLINT_BLOCK; ++i) {
+            int k = first + i;
+            int x = lefts[k] + k;
+            int y = ys[k];
+            int coarse = int(k >= low_count);
+            low[i] = ellipse_weight(s.low_cells, x, y) * float(1 - coarse);
+            high[i] = ellipse_weight(s.high_cells, x, y) * float(coarse * int(k < count));
+            GlintCell c = glint_cell(glint_level_between(s.low, s.high, float(coarse)), x, y);
             shares[i] = c.share;
             rows[i] = c.row_x;
-            rows[i + 16] = c.row_y;
+            rows[i + GLINT_BLOCK] = c.row_y;
             places[i] = abs(c.turn.c * q.slope.x + c.turn.s * q.slope.y);
-            places[i + 16] = abs(c.turn.c * q.slope.y - c.turn.s * q.slope.x);
+            places[i + GLINT_BLOCK] = abs(c.turn.c * q.slope.y - c.turn.s * q.slope.x);
             kernels[i] = glint_kernel_along(q, c.turn.c, c.turn.s);
-            kernels[i + 16] = glint_kernel_along(q, -c.turn.s, c.turn.c);
+            kernels[i + GLINT_BLOCK] = glint_kernel_along(q, -c.turn.s, c.turn.c);
         }
-        float densities[32];
+        float densities[2 * GLINT_BLOCK];
         if (q.blurred) {
-            for (int i = 0; i < 32; ++i) {
+            for (int i = 0; i < 2 * GLINT_BLOCK; ++i) {
                 densities[i] = glint_marginal(q.table, rows[i], glint_width(kernels[i]), places[i]);
             }
         } else {
-            for (int i = 0; i < 32; ++i) {
+            for (int i = 0; i < 2 * GLINT_BLOCK; ++i) {
                 densities[i] = glint_marginal_sharp(q.table, rows[i], places[i]);
             }
         }
-        for (int i = 0; i < 16; ++i) {
-            float facets = densities[i] * densities[i + 16] * q.scale;
+        for (int i = 0; i < GLINT_BLOCK; ++i) {
+            float facets = densities[i] * densities[i + GLINT_BLOCK] * q.scale;
             float value = q.gaussian + shares[i] * (facets - q.gaussian);
             sum_low += low[i] * value;
             sum_high += high[i] * value;
@@ -184,10 +199,14 @@ GlintQuery glint_query(IN(Glint) g, IN(Slopes) d, IN(Whitening) w, vec2 s) {
 float glint_p22(IN(Glint) g, vec2 s) {
     Slopes d = glint_slopes_within(g);
     GlintQuery q = glint_query(g, d, whitening_of(d), s);
+    // So far from the mean no cell has facets, whichever way it is turned; a 10^-7 of the Gaussian
+    // lies there, and stays.
+    if (!(dot(q.slope, q.slope) < 2.0f * GLINT_REACH * GLINT_REACH)) {
+        return dot(q.slope, q.slope) < 1.0e30f ? q.gaussian : 0.0f;
+    }
     GlintPyramid p = glint_pyramid(g);
-    bool known = abs(q.slope.x) < 1.0e15f && abs(q.slope.y) < 1.0e15f;
-    if (p.smooth_only || !known) {
-        return known ? q.gaussian : 0.0f;
+    if (p.smooth_only) {
+        return q.gaussian;
     }
     return glint_mean_of_cells(q, glint_steps(p, g.uv, g.seed));
 }
@@ -202,9 +221,10 @@ struct GlintChoice {
 
 GlintChoice glint_choose_cell(IN(Ellipse) e, float u) {
     float total = 0.0f;
-    for (ivec3 row = ellipse_first_row(e); row.z <= e.last; row = ellipse_row(e, row.z + 1)) {
-        for (int x = row.x; x <= row.y; ++x) {
-            total += ellipse_weight(e, x, row.z);
+    for (int y = e.first; y <= e.last; ++y) {
+        EllipseRow row = ellipse_row(e, y);
+        for (int x = row.start; x <= row.end; ++x) {
+            total += ellipse_weight(e, x, y);
         }
     }
     GlintChoice chosen;
@@ -212,12 +232,13 @@ GlintChoice glint_choose_cell(IN(Ellipse) e, float u) {
     chosen.y = int(floor(e.centre.y + 0.5f));
     chosen.u = 0.0f;
     float left = u * total;
-    for (ivec3 row = ellipse_first_row(e); row.z <= e.last; row = ellipse_row(e, row.z + 1)) {
-        for (int x = row.x; x <= row.y; ++x) {
-            float weight = ellipse_weight(e, x, row.z);
+    for (int y = e.first; y <= e.last; ++y) {
+        EllipseRow row = ellipse_row(e, y);
+        for (int x = row.start; x <= row.end; ++x) {
+            float weight = ellipse_weight(e, x, y);
             if (left < weight) {
                 chosen.x = x;
-                chosen.y = row.z;
+                chosen.y = y;
                 chosen.u = left / weight;
                 return chosen;
             }

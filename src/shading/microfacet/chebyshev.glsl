@@ -41,18 +41,18 @@ Chebyshev chebyshev_with_node(IN(Chebyshev) c, float value, int k, int count) {
     return r;
 }
 
-// Clenshaw's recurrence. [Press et al. 2007, "Numerical Recipes", section 5.8]
+// Clenshaw's recurrence, of the even and of the odd polynomials: both obey the same one in
+// 2 (2 x^2 - 1), step by step beside each other.
+// [Press et al. 2007, "Numerical Recipes", section 5.8]
 float chebyshev_value(IN(Chebyshev) c, float x) {
-    float t = 4.0f * x - 2.0f;
-    float next = 0.0f;
-    float here = 0.0f;
-    for (int j = 11; j > 0; --j) {
-        float coefficient = j < 4 ? c.low[j] : j < 8 ? c.middle[j - 4] : c.high[j - 8];
-        float value = t * here - next + coefficient;
-        next = here;
-        here = value;
-    }
-    return 0.5f * t * here - next + c.low.x;
+    float t = 2.0f * x - 1.0f;
+    float y = 4.0f * t * t - 2.0f;
+    vec2 last = vec2(c.high.z, c.high.w);
+    vec2 a = vec2(c.high.x, c.high.y) + y * last;
+    vec2 b = vec2(c.middle.z, c.middle.w) + y * a - last;
+    a = vec2(c.middle.x, c.middle.y) + y * b - a;
+    b = vec2(c.low.z, c.low.w) + y * a - b;
+    return c.low.x + 0.5f * y * b.x - a.x + t * (c.low.y + y * b.y - a.y - b.y);
 }
 
 #endif

@@ -176,13 +176,13 @@ struct Kernels {
 #include "kernels/leaving_ray.glsl"
 #include "kernels/path.glsl"
 #include "kernels/primary.glsl"
-#include "kernels/tonemap.glsl"
 };
 
 using PathState = Kernels::PathState;
 using PathGuides = Kernels::PathGuides;
 
 #include "backend/cpu/isa/camera_params.h"
+#include "backend/cpu/isa/tonemap_row.h"
 #include "backend/cpu/lattice_hit.h"
 #include "backend/cpu/ray_tracing.h"
 #include "backend/cpu/tile.h"

@@ -1,0 +1,77 @@
+// Suns over surfaces of slopes (the model `glint`, the sea): their disc as slopes of the surface,
+// so that one evaluation has all of its light.
+#ifndef GP_KERNELS_SLOPE_SUN_GLSL
+#define GP_KERNELS_SLOPE_SUN_GLSL
+#include "shading/bsdf/bsdf.glsl"
+#include "shading/light/directional.glsl"
+#include "shading/slope/mean_slope.glsl"
+#include "shading/slope/sun_disc.glsl"
+
+// Below this sum of cosines of light and view no facet that matters reflects one into the other,
+// and the spread of those that do has no bound.
+#define SUN_LEAST_HEIGHT 1.0e-3f
+
+// How many times wider than the disc (in slopes, seen from above) the narrowest slopes of a surface
+// are, as variances, that the disc may be taken for a Gaussian: the highlight is then up to 3 % too
+// bright in the middle.
+#define SUN_LEAST_SPREAD 4.0f
+
+// sin^2 of the disc's angular radius.
+float sun_sin_squared(IN(DirectionalLight) sun) {
+    return sun.one_minus_cos_max * (2.0f - sun.one_minus_cos_max);
+}
+
+// The pixel's kernel (as slot_e) with a covariance (xx, yy, xy) added: slopes get it, glints are
+// blurred by it, each cell's own.
+vec4 glint_kernel_with(IN(BsdfParams) m, vec3 covariance) {
+    vec3 k = ndf_kernel(vec2(m.slot_e.x, m.slot_e.y), vec2(m.slot_e.z, m.slot_e.w)) * 0.5f;
+    k = (k + covariance) * (1.0f / NDF_PIXEL_VARIANCE);
+    // Two changes that have this covariance: the columns of its Cholesky factor.
+    float xx = sqrt(max(k.x, 0.0f));
+    float yx = xx > 0.0f ? k.z / xx : 0.0f;
+    return vec4(xx, yx, 0.0f, sqrt(max(k.y - yx * yx, 0.0f)));
+}
+
+// Whether that leaves the highlight what it is.
+bool slopes_hide_disc(IN(BsdfParams) m, IN(DirectionalLight) sun) {
+    Slopes d = glint_of(m).slopes;
+    float disc = SUN_LEAST_SPREAD * sun_sin_squared(sun) * (1.0f / 16.0f);
+    // The determinant over the trace is at most the narrower of the two principal variances.
+    return d.var_x * d.var_y - d.cov * d.cov >= disc * (d.var_x + d.var_y);
+}
+
+// What of f cos is the matte base's, under the facets.
+vec3 slopes_matte_part(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local) {
+    if (glint_is_black(m, wo_local)) { return vec3(0.0f); }
+    GlintView seen = glint_view(m, wo_local);
+    vec3 i = seen.turned ? glint_turned(m, wi_local) : wi_local;
+    bool lit = seen.has_base && slope_facing(seen.g.slopes.mean, i) > 0.0f;
+    return lit ? glint_base_eval(m, seen, i).f_cos : vec3(0.0f);
+}
+
+bool reflects_sun(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local) {
+    vec2 mean = glint_mean(m);
+    return slope_facing(mean, wo_local) > 0.0f && slope_facing(mean, wi_local) > 0.0f &&
+           wo_local.z + wi_local.z >= SUN_LEAST_HEIGHT;
+}
+
+// f cos of a sun, wi_local to its middle: surfaces of slopes reflect all of the disc. Their kernel
+// is wider by the slopes that the disc takes, which has the same light, and the same variance of
+// the highlight. Where slopes are narrower than the disc the highlight of smooth ones is its sharp
+// image; glints keep the Gaussian, as their cells are made for covariances.
+vec3 sun_f_cos(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLight) sun) {
+    if (m.model != MODEL_GLINT || !(sun.one_minus_cos_max > 0.0f) ||
+        !reflects_sun(m, wo_local, wi_local)) {
+        return bsdf_eval(m, wo_local, wi_local).f_cos;
+    }
+    float radius = sqrt(sun_sin_squared(sun));
+    vec4 kernel = glint_kernel_with(m, sun_slope_covariance(wo_local, wi_local, radius));
+    vec3 f_cos = glint_bsdf_eval(m, kernel, wo_local, wi_local).f_cos;
+    if (glint_method(m) != GLINT_SMOOTH) { return f_cos; }
+    float shape = sun_disc_shape(glint_of(m).slopes, wo_local, wi_local, radius);
+    if (shape == 1.0f) { return f_cos; }
+    vec3 base = slopes_matte_part(m, wo_local, wi_local);
+    return base + (f_cos - base) * shape;
+}
+
+#endif
