@@ -85,7 +85,9 @@ BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN
         b.slot_a.x = mean.x;
         b.slot_a.y = mean.y;
     }
-    return glint_prepared_at(b);
+    GlintBase base = glint_base_at(b);
+    GLINT_SET_BASE(b, base)
+    return b;
 }
 
 // glTF's textures over the factors of roughness, metal and transmission.

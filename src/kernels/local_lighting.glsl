@@ -19,9 +19,8 @@ struct LocalLight {
     vec3 ambient;
 };
 
-// A point of a surface, ready to be lit.
-struct LocalPoint {
-    ShadingPoint shading;
+// How a point of a surface is seen.
+struct LocalView {
     vec3 position;
     vec3 wo;
     PixelTurns turns;   // only where highlights are filtered, as the next
@@ -45,19 +44,20 @@ LightSample lamp_sample(IN(LightRecord) record, vec3 p, uint falloff) {
 }
 
 // Whether light on this side of the surface makes a highlight that is filtered.
-bool highlight_is_filtered(IN(LocalPoint) at, vec3 wo_local, vec3 wi_local) {
+bool highlight_is_filtered(IN(ShadingPoint) p, vec3 wo_local, vec3 wi_local) {
     return load_local_lighting().ndf_filter != NDF_FILTER_NONE &&
-           ndf_filter_applies(at.shading.bsdf.model) && wo_local.z * wi_local.z > 0.0f;
+           ndf_filter_applies(p.bsdf.model) && wo_local.z * wi_local.z > 0.0f;
 }
 
 // f cos of a lamp with the highlight as wide as the pixel sees it.
-vec3 filtered_f_cos(IN(LocalPoint) at, IN(LightSample) lamp, vec3 wo_local, vec3 wi_local) {
-    LET_REF(Frame) f = at.shading.frame;
+vec3 filtered_f_cos(IN(ShadingPoint) p, IN(LocalView) at, IN(LightSample) lamp, vec3 wo_local,
+                    vec3 wi_local) {
+    LET_REF(Frame) f = p.frame;
     float inv_light = lamp.distance < FLOAT_MAX ? 1.0f / max(lamp.distance, 1.0e-6f) : 0.0f;
     vec3 dh0 = half_vector_turn(at.turns.a, f, at.wo, lamp.wi, at.inv_viewer, inv_light);
     vec3 dh1 = half_vector_turn(at.turns.b, f, at.wo, lamp.wi, at.inv_viewer, inv_light);
     vec3 h = normalize(wo_local + wi_local);
-    FilteredBsdf filtered = ndf_filtered_bsdf(at.shading.bsdf, at.turns, h, dh0, dh1,
+    FilteredBsdf filtered = ndf_filtered_bsdf(p.bsdf, at.turns, h, dh0, dh1,
                                               load_local_lighting().ndf_filter);
     vec3 wo = turned_about_normal(wo_local, filtered.axis);
     vec3 wi = turned_about_normal(wi_local, filtered.axis);
@@ -68,40 +68,40 @@ vec3 filtered_f_cos(IN(LocalPoint) at, IN(LightSample) lamp, vec3 wo_local, vec3
 }
 
 // f cos of a lamp. A sun is a direction, but surfaces of slopes reflect all of its disc.
-vec3 lamp_f_cos(IN(LocalPoint) at, IN(LightRecord) record, vec3 wo_local, vec3 wi_local) {
+vec3 lamp_f_cos(IN(BsdfParams) m, IN(LightRecord) record, vec3 wo_local, vec3 wi_local) {
     return record.kind == LIGHT_DIRECTIONAL
-               ? sun_f_cos(at.shading.bsdf, wo_local, wi_local, directional_light(record))
-               : bsdf_eval(at.shading.bsdf, wo_local, wi_local).f_cos;
+               ? sun_f_cos(m, wo_local, wi_local, directional_light(record))
+               : bsdf_eval(m, wo_local, wi_local).f_cos;
 }
 
-LocalLight light_of(IN(LocalPoint) at) {
+LocalLight light_of(IN(ShadingPoint) p, IN(LocalView) at) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
-    vec3 wo_local = local_from_world(at.shading.frame, at.wo);
+    vec3 wo_local = local_from_world(p.frame, at.wo);
     LocalLight sum;
     sum.direct = vec3(0.0f);
     for (uint i = 0u; i < local.lamps; ++i) {
         LightSample lamp = lamp_sample(load_light(i), at.position, local.falloff);
         if (!(lamp.pdf > 0.0f)) { continue; }
-        vec3 wi_local = local_from_world(at.shading.frame, lamp.wi);
-        vec3 f_cos = highlight_is_filtered(at, wo_local, wi_local)
-                         ? filtered_f_cos(at, lamp, wo_local, wi_local)
-                         : lamp_f_cos(at, load_light(i), wo_local, wi_local);
+        vec3 wi_local = local_from_world(p.frame, lamp.wi);
+        vec3 f_cos = highlight_is_filtered(p, wo_local, wi_local)
+                         ? filtered_f_cos(p, at, lamp, wo_local, wi_local)
+                         : lamp_f_cos(p.bsdf, load_light(i), wo_local, wi_local);
         sum.direct += f_cos * lamp.radiance;
     }
     sum.ambient = vec3(0.0f);
     if (local.ambient == vec3(0.0f) && local.sky_nodes == 0u) { return sum; }
-    vec3 albedo = bsdf_albedo(at.shading.bsdf, abs(dot(shown_normal(at.shading), at.wo)));
+    vec3 albedo = bsdf_albedo(p.bsdf, abs(dot(shown_normal(p), at.wo)));
     sum.ambient = albedo * local.ambient;
-    if (local.sky_nodes != 0u) { sum.ambient += lit_by_sky(at.shading, wo_local, albedo); }
+    if (local.sky_nodes != 0u) { sum.ambient += lit_by_sky(p, wo_local, albedo); }
     return sum;
 }
 
-// A material as this mode shows it. Bumps of a map are between the corners of triangles, and
-// whatever model replaces a solid body's is lit on the side that the viewer sees, along tangents
-// that no roughness of the material turns.
-MaterialRecord local_material(IN(MaterialRecord) m) {
+// The material that the path met, as this mode shows it. Bumps of a map are between the corners of
+// triangles, and whatever model replaces a solid body's is lit on the side that the viewer sees,
+// along tangents that no roughness of the material turns.
+MaterialRecord local_material(IN(PathState) path) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
-    MaterialRecord shown = m;
+    MaterialRecord shown = load_material(load_instance(path.hit.instance).material);
     if (local.frequency != FREQUENCY_PIXEL) {
         shown.textures &= ~(SLOT_NORMAL | SLOT_COAT_NORMAL | SLOT_SLOPES);
     }
@@ -112,28 +112,28 @@ MaterialRecord local_material(IN(MaterialRecord) m) {
     return shown;
 }
 
-// The point of the triangle that path.hit names with the barycentrics u and v. Where pixels do not
-// count, textures are read at their finest level, which is the same for all pixels.
-LocalPoint local_point(IN(PathState) path, IN(MaterialRecord) m, float u, float v, float u_lod) {
+// Where pixels do not count, textures are read at their finest level, which is the same for all
+// pixels.
+Surface local_surface(IN(PathState) path, IN(MaterialRecord) m, IN(Hit) hit) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
-    LET_REF(FrameConstants) f = load_frame();
-    bool diffuse = f.diffuse_shading != 0u;
     bool replaced = local.replaces_materials != 0u;
-    Hit hit = path.hit;
-    hit.u = u;
-    hit.v = v;
     // The model that replaces a material may have a direction.
-    uint needs = surface_needs(m, diffuse) | (replaced ? SURFACE_UV | SURFACE_TANGENT : 0u);
+    uint needs = surface_needs(m, load_frame().diffuse_shading != 0u) |
+                 (replaced ? SURFACE_UV | SURFACE_TANGENT : 0u);
     Surface s = load_surface(hit, path.ray.direction, path.cone, needs);
     if (local.frequency != FREQUENCY_PIXEL) { s.lod = FINEST_LEVEL; }
     if (local.frequency == FREQUENCY_TRIANGLE) {
         s.frame = frame_from_normal_tangent(s.ng, s.frame.t, frame_handedness(s.frame));
     }
-    LocalPoint at;
-    at.position = s.position;
+    return s;
+}
+
+LocalView local_view(IN(PathState) path, IN(Hit) hit, vec3 position) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    LocalView at;
+    at.position = position;
     at.wo = local.parallel_view != 0u ? -path.ray.direction
-                                      : normalize(path.ray.origin - s.position);
-    at.shading = load_shading_point(m, s, at.wo, u_lod, diffuse);
+                                      : normalize(path.ray.origin - position);
     if (local.ndf_filter != NDF_FILTER_NONE) {
         at.turns = pixel_turns(hit, path.ray.direction, path.cone);
         at.inv_viewer = local.parallel_view != 0u ? 0.0f : 1.0f / max(path.hit.t, 1.0e-6f);
@@ -149,59 +149,74 @@ BsdfParams lighting_model(vec3 base_color) {
     return model;
 }
 
-LocalLight local_light_at(IN(PathState) path, IN(MaterialRecord) m, float u, float v,
-                          float u_lod) {
-    LocalPoint at = local_point(path, m, u, v, u_lod);
+// At the barycentrics u and v of the triangle that path.hit names.
+LocalLight local_light_at(IN(PathState) path, IN(MaterialRecord) m, float u, float v) {
+    Hit hit = path.hit;
+    hit.u = u;
+    hit.v = v;
+    Surface s = local_surface(path, m, hit);
+    LocalView at = local_view(path, hit, s.position);
+    bool diffuse = load_frame().diffuse_shading != 0u;
+    ShadingPoint p = load_shading_point(m, s, at.wo, 0.0f, diffuse);
     if (load_local_lighting().replaces_materials != 0u) {
-        at.shading.bsdf = lighting_model(at.shading.bsdf.base_color);
+        p.bsdf = lighting_model(p.bsdf.base_color);
     }
-    return light_of(at);
+    return light_of(p, at);
 }
 
 // The light of the triangle's corners, in proportion to how near they are.
 LocalLight interpolated_light(IN(PathState) path, IN(MaterialRecord) m) {
-    LocalLight a = local_light_at(path, m, 0.0f, 0.0f, 0.0f);
-    LocalLight b = local_light_at(path, m, 1.0f, 0.0f, 0.0f);
-    LocalLight c = local_light_at(path, m, 0.0f, 1.0f, 0.0f);
+    LocalLight a = local_light_at(path, m, 0.0f, 0.0f);
+    LocalLight b = local_light_at(path, m, 1.0f, 0.0f);
+    LocalLight c = local_light_at(path, m, 0.0f, 1.0f);
     LocalLight light;
     light.direct = interpolate(a.direct, b.direct, c.direct, path.hit.u, path.hit.v);
     light.ambient = interpolate(a.ambient, b.ambient, c.ambient, path.hit.u, path.hit.v);
     return light;
 }
 
-LocalLight light_by_frequency(IN(PathState) path, IN(MaterialRecord) m, IN(LocalPoint) seen) {
+LocalLight light_by_frequency(IN(PathState) path, IN(ShadingPoint) seen, IN(LocalView) at) {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
-    if (local.frequency == FREQUENCY_VERTEX) { return interpolated_light(path, m); }
-    if (local.frequency == FREQUENCY_TRIANGLE) {
-        return local_light_at(path, m, 1.0f / 3.0f, 1.0f / 3.0f, 0.0f);
-    }
-    return light_of(seen);
+    if (local.frequency == FREQUENCY_PIXEL) { return light_of(seen, at); }
+    MaterialRecord m = local_material(path);
+    return local.frequency == FREQUENCY_VERTEX
+               ? interpolated_light(path, m)
+               : local_light_at(path, m, 1.0f / 3.0f, 1.0f / 3.0f);
 }
 
-// All of the light that the camera's ray brings from what path.hit names. What lamps send stands
-// as direct light, what comes from all sides as indirect light.
-void path_light_locally(INOUT(PathState) path) {
+// The picture's two steps, each of them for many pixels at a time where a backend can: while one
+// waits for memory the next has begun. First what the camera sees, if it is a surface ...
+bool path_sees_surface(INOUT(PathState) path) {
     if (path.hit.instance == HIT_NOTHING) {
         path_end(path, sky_light(path.from, path.ray.direction, path.cone.spread, true));
-        return;
+        return false;
     }
     if (path.hit.instance == HIT_LIGHT) {
         path_end_at_light(path);
-        return;
+        return false;
     }
-    MaterialRecord m = local_material(load_material(load_instance(path.hit.instance).material));
     path.cone = ray_cone_propagate(path.cone, path.hit.t);
-    float u_lod = m.textures != 0u ? draw_at(path.draws, 0u, DRAW_OTHERS).x : 0.0f;
-    LocalPoint seen = local_point(path, m, path.hit.u, path.hit.v, u_lod);
-    path.guides = guides_of(seen.shading, path.hit, seen.wo);
-    path_end(path, own_light(path, seen.shading));
-    if ((seen.shading.flags & MATERIAL_UNLIT) != 0u) { return; }
+    return true;
+}
+
+// By `material`, as local_material has it.
+ShadingPoint path_local_point(IN(PathState) path, IN(MaterialRecord) material, IN(Surface) s,
+                              IN(LocalView) at) {
+    float u_lod = material.textures != 0u ? draw_at(path.draws, 0u, DRAW_OTHERS).x : 0.0f;
+    return load_shading_point(material, s, at.wo, u_lod, load_frame().diffuse_shading != 0u);
+}
+
+// ... then all of the light that comes from there. What lamps send stands as direct light, what
+// comes from all sides as indirect light.
+void path_light_locally(INOUT(PathState) path, INOUT(ShadingPoint) seen, IN(LocalView) at) {
+    path.guides = guides_of(seen, path.hit, at.wo);
+    path_end(path, own_light(path, seen));
+    if ((seen.flags & MATERIAL_UNLIT) != 0u) { return; }
     if (load_local_lighting().replaces_materials != 0u) {
-        seen.shading.bsdf = lighting_model(seen.shading.bsdf.base_color);
-        path.guides.albedo =
-            bsdf_albedo(seen.shading.bsdf, abs(dot(seen.shading.frame.n, seen.wo)));
+        seen.bsdf = lighting_model(seen.bsdf.base_color);
+        path.guides.albedo = bsdf_albedo(seen.bsdf, abs(dot(seen.frame.n, at.wo)));
     }
-    LocalLight light = light_by_frequency(path, m, seen);
+    LocalLight light = light_by_frequency(path, seen, at);
     path.light.direct = light.direct;
     path.light.indirect = light.ambient;
 }

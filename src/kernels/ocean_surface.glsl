@@ -70,7 +70,8 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     p.bsdf.slot_c.w = deep ? 1.0f : 0.0f;
     p.bsdf.slot_d = vec4(seen.d0, seen.d1);
     p.bsdf.slot_e = vec4(seen.k0, seen.k1);
-    p.bsdf = glint_prepared_at(p.bsdf);
+    GlintBase base = glint_base_at(p.bsdf);
+    GLINT_SET_BASE(p.bsdf, base)
     return p;
 }
 

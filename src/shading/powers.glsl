@@ -3,6 +3,7 @@
 // logarithm is: 1e-6 of 1e-4.
 #ifndef GP_SHADING_POWERS_GLSL
 #define GP_SHADING_POWERS_GLSL
+#define LN_TWO 0.693147181f
 
 // x: normal, above 0. By the series of the inverse hyperbolic tangent about the nearest power of
 // two. [Abramowitz and Stegun 1964, 4.1.27]
@@ -22,7 +23,7 @@ IN_LOOPS float log2_above_0(float x) {
 IN_LOOPS float exp2_within_126(float x) {
     // The nearest whole number, plus 127: of what is above 0 a conversion to int is the floor.
     int biased = int(x + 127.5f);
-    float f = (x - float(biased - 127)) * 0.693147181f;
+    float f = (x - float(biased - 127)) * LN_TWO;
     float e = 1.0f + f * (1.0f + f * (0.5f + f * (1.0f / 6.0f + f * (1.0f / 24.0f +
               f * (1.0f / 120.0f + f * (1.0f / 720.0f))))));
     return e * uintBitsToFloat(uint(biased) << 23u);

@@ -193,7 +193,7 @@ TEST_F(ViewRealtimeTest, LightsOfTheSceneAreChangedAddedAndRemoved) {
     tool::check(m_device.get(), gpGetSceneInfo(m_scene.get(), &info));
     const auto count = static_cast<std::uint32_t>(info.lights);
     const SceneLights loaded = sceneLights(m_device.get(), m_scene.get(), count);
-    const auto shade = [this] { return mean(afterFrames(8)); };
+    const auto shade = [this] { return mean(afterFrames(32)); };
     const double asLoaded = shade();
     const auto with = [&](const auto& change) {
         auto all = std::make_shared<std::vector<SceneLight>>(*loaded);

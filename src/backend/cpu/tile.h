@@ -28,7 +28,9 @@ struct TilePixels {
     Ray rays[maxTilePixels];
     Hit hits[maxTilePixels];
     uint32_t alphaSeeds[maxTilePixels];  // each ray of a path gets one from the one before
-    uvec2 pixels[maxTilePixels];
+    // Pixels, and what this sample has of each: its hash and where it is seen.
+    uint32_t x[maxTilePixels], y[maxTilePixels], hashes[maxTilePixels];
+    float offsetsX[maxTilePixels], offsetsY[maxTilePixels];
     PathState paths[maxTilePixels];
 };
 
@@ -61,13 +63,38 @@ inline void tracePaths(Kernels& k, TilePixels& t, uint32_t count) {
     }
 }
 
+// Where each pixel is seen. A copy of the loop for each filter, all inlined, so that the compiler
+// makes vectors of it.
+template <uint32_t pixelFilter>
+[[gnu::flatten]] void offsetsBy(Kernels& k, const TileJob& job, TilePixels& t, uint32_t sample) {
+    const float radius = job.frame->pixel_filter_radius;
+    const uint32_t seed = job.frame->seed;
+    for (uint32_t i = 0; i < maxTilePixels; ++i) {
+        const Sampler draws = sampler_begin(uvec2(t.x[i], t.y[i]), sample, seed);
+        const vec2 offset = k.camera_offset(pixelFilter, radius, draws);
+        t.hashes[i] = draws.pixel_hash;
+        t.offsetsX[i] = offset.x, t.offsetsY[i] = offset.y;
+    }
+}
+
+inline void offsets(Kernels& k, const TileJob& job, TilePixels& t, uint32_t sample) {
+    switch (job.frame->pixel_filter) {
+        case FILTER_BLACKMAN_HARRIS: return offsetsBy<FILTER_BLACKMAN_HARRIS>(k, job, t, sample);
+        case FILTER_GAUSSIAN: return offsetsBy<FILTER_GAUSSIAN>(k, job, t, sample);
+        case FILTER_TENT: return offsetsBy<FILTER_TENT>(k, job, t, sample);
+        default: return offsetsBy<FILTER_BOX>(k, job, t, sample);
+    }
+}
+
 // A path for each pixel of the tile, with what its camera ray meets.
 inline void beginSample(Kernels& k, const TileJob& job, const CameraParams& camera, TilePixels& t,
                         uint32_t count, uint32_t sample) {
     const RayCone cone = camera_ray_cone(camera, float(job.frame->height));
+    offsets(k, job, t, sample);
     for (uint32_t i = 0; i < count; ++i) {
-        Sampler draws = sampler_begin(t.pixels[i], sample, job.frame->seed);
-        t.rays[i] = k.camera_ray_of_pixel(camera, t.pixels[i], draws);
+        Sampler draws{t.hashes[i], sample, 0};
+        t.rays[i] = k.camera_ray_of_pixel(camera, uvec2(t.x[i], t.y[i]),
+                                          vec2(t.offsetsX[i], t.offsetsY[i]), draws);
         // In its place: a copy would wait until all its parts have been written one by one.
         new (&t.paths[i]) PathState(k.path_begin(t.rays[i], cone, draws));
         t.alphaSeeds[i] = hash_u32(draws.pixel_hash + sample * 0x9E3779B9u);
@@ -81,7 +108,7 @@ inline void endSample(const TileJob& job, const CameraParams& camera, TilePixels
     for (uint32_t i = 0; i < count; ++i) {
         PathState& path = t.paths[i];
         path.guides.depth *= dot(t.rays[i].direction, camera.forward);
-        addSample(job.sums[size_t(t.pixels[i].y) * job.frame->width + t.pixels[i].x], path);
+        addSample(job.sums[size_t(t.y[i]) * job.frame->width + t.x[i]], path);
     }
 }
 
@@ -94,7 +121,8 @@ TileCounts renderTile(AnyKernels& k, const TileJob& job, const Finish& finish) {
     TilePixels t;
     uint32_t count = 0;
     for (uint32_t y = job.y0; y < job.y1; ++y)
-        for (uint32_t x = job.x0; x < job.x1; ++x) t.pixels[count++] = uvec2(x, y);
+        for (uint32_t x = job.x0; x < job.x1; ++x) t.x[count] = x, t.y[count++] = y;
+    for (uint32_t i = count; i < maxTilePixels; ++i) t.x[i] = t.y[i] = 0;
     // A render that was cancelled left some tiles further than others.
     const uint32_t held = job.sums[size_t(job.y0) * job.frame->width + job.x0].samples;
     for (uint32_t s = held > job.firstSample ? held - job.firstSample : 0; s < job.sampleCount;

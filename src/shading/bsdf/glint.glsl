@@ -32,33 +32,44 @@ float glint_through(IN(BsdfParams) m, float cos_w) {
     return clamp(1.0f - chebyshev_value(reflected, sqrt(cos_w)), 0.0f, 1.0f);
 }
 
-// With the albedo of the dielectric facets, by which the base is coupled to them: twelve values of
-// a polynomial in the root of the cosine, which Schlick's term is where facets are smooth. Quick
+// The albedo of the dielectric facets, by which the base is coupled to them: twelve values of a
+// polynomial in the root of the cosine, which Schlick's term is where facets are smooth. Quick
 // enough for every point that is seen.
-BsdfParams glint_prepared(BsdfParams m, float alpha) {
-    Chebyshev reflected = chebyshev_none();
-    m.slot_j.x = 1.0f;
+struct GlintBase {
+    Chebyshev reflected;
+    float through;  // on average
+};
+
+GlintBase glint_base(IN(BsdfParams) m, float alpha) {
+    GlintBase base;
+    base.reflected = chebyshev_none();
+    base.through = 1.0f;
     if (gltf_has_diffuse(m)) {
-        reflected = cavity_albedo(alpha, f0_from_ior(m.ior));
-        m.slot_j.x = clamp(1.0f - cavity_albedo_average(reflected), 0.0f, 1.0f);
+        base.reflected = cavity_albedo(alpha, f0_from_ior(m.ior));
+        base.through = clamp(1.0f - cavity_albedo_average(base.reflected), 0.0f, 1.0f);
     }
-    m.slot_g = reflected.low;
-    m.slot_h = reflected.middle;
-    m.slot_i = reflected.high;
-    return m;
+    return base;
 }
 
-BsdfParams glint_prepared(BsdfParams m) {
-    return glint_prepared(m, mean_alpha(m));
-}
-
-// The base of a point whose facets, with the pixel's kernel, are wider than the material's own.
-BsdfParams glint_prepared_at(BsdfParams m) {
-    if (!gltf_has_diffuse(m)) { return m; }
+// At a point whose facets, with the pixel's kernel, are wider than the material's own.
+GlintBase glint_base_at(IN(BsdfParams) m) {
     Slopes d = glint_kernel_added(glint_material_slopes(m), vec2(m.slot_e.x, m.slot_e.y),
                                   vec2(m.slot_e.z, m.slot_e.w));
     // The root of the mean square of both widths, as mean_alpha.
-    return glint_prepared(m, sqrt(d.var_x + d.var_y));
+    return glint_base(m, sqrt(d.var_x + d.var_y));
+}
+
+// Where the material keeps it. A macro: a function would copy all of the material.
+#define GLINT_SET_BASE(m, base)      \
+    m.slot_g = base.reflected.low;    \
+    m.slot_h = base.reflected.middle; \
+    m.slot_i = base.reflected.high;   \
+    m.slot_j.x = base.through;
+
+BsdfParams glint_prepared(BsdfParams m) {
+    GlintBase base = glint_base(m, mean_alpha(m));
+    GLINT_SET_BASE(m, base)
+    return m;
 }
 
 // What depends on the view alone: turned to the front, with what the matte base needs.

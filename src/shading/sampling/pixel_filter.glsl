@@ -4,6 +4,7 @@
 #ifndef GP_SHADING_SAMPLING_PIXEL_FILTER_GLSL
 #define GP_SHADING_SAMPLING_PIXEL_FILTER_GLSL
 #include "shading/constants.glsl"
+#include "shading/powers.glsl"
 #include "shading/trigonometry.glsl"
 
 #define FILTER_BOX 0u
@@ -69,7 +70,7 @@ float blackman_harris_mass(float x, SinCos angle) {
 // below 1e-3), which is nearly linear there, then one step of Newton (error below 2e-5).
 float blackman_harris_sample(float u) {
     float tail = min(u, 1.0f - u);
-    float w = -log(max(2.0f * tail, EXP2_MINUS_24));
+    float w = -LN_TWO * log2_above_0(max(2.0f * tail, EXP2_MINUS_24));
     float x = w * (0.35254781f + w * (0.1168491f - w * 0.0022598843f)) /
               (1.0f + w * (0.78469221f + w * 0.049799201f));
     SinCos angle = sincos_turns(0.5f * x);
