@@ -9,7 +9,7 @@
 #include "kernels/path.glsl"
 #include "kernels/pixel_turn.glsl"
 #include "kernels/slope_lighting.glsl"
-#include "kernels/slope_sun.glsl"
+#include "shading/bsdf/glint_sun.glsl"
 #include "shading/bsdf/diffuse_part.glsl"
 #include "shading/light/lamp_point.glsl"
 
@@ -74,25 +74,34 @@ vec3 lamp_f_cos(IN(BsdfParams) m, IN(LightRecord) record, vec3 wo_local, vec3 wi
                : bsdf_eval(m, wo_local, wi_local).f_cos;
 }
 
-LocalLight light_of(IN(ShadingPoint) p, IN(LocalView) at) {
-    LET_REF(LocalLightingConstants) local = load_local_lighting();
+vec3 lamp_light(IN(ShadingPoint) p, IN(LocalView) at, uint lamp_index) {
+    LET_REF(LightRecord) record = load_light(lamp_index);
+    LightSample lamp = lamp_sample(record, at.position, load_local_lighting().falloff);
+    if (!(lamp.pdf > 0.0f)) { return vec3(0.0f); }
     vec3 wo_local = local_from_world(p.frame, at.wo);
+    vec3 wi_local = local_from_world(p.frame, lamp.wi);
+    vec3 f_cos = highlight_is_filtered(p, wo_local, wi_local)
+                     ? filtered_f_cos(p, at, lamp, wo_local, wi_local)
+                     : lamp_f_cos(p.bsdf, record, wo_local, wi_local);
+    return f_cos * lamp.radiance;
+}
+
+vec3 ambient_light(IN(ShadingPoint) p, IN(LocalView) at) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
+    if (local.ambient == vec3(0.0f) && local.sky_nodes == 0u) { return vec3(0.0f); }
+    vec3 albedo = bsdf_albedo(p.bsdf, abs(dot(shown_normal(p), at.wo)));
+    vec3 light = albedo * local.ambient;
+    if (local.sky_nodes != 0u) {
+        light += lit_by_sky(p, local_from_world(p.frame, at.wo), albedo);
+    }
+    return light;
+}
+
+LocalLight light_of(IN(ShadingPoint) p, IN(LocalView) at) {
     LocalLight sum;
     sum.direct = vec3(0.0f);
-    for (uint i = 0u; i < local.lamps; ++i) {
-        LightSample lamp = lamp_sample(load_light(i), at.position, local.falloff);
-        if (!(lamp.pdf > 0.0f)) { continue; }
-        vec3 wi_local = local_from_world(p.frame, lamp.wi);
-        vec3 f_cos = highlight_is_filtered(p, wo_local, wi_local)
-                         ? filtered_f_cos(p, at, lamp, wo_local, wi_local)
-                         : lamp_f_cos(p.bsdf, load_light(i), wo_local, wi_local);
-        sum.direct += f_cos * lamp.radiance;
-    }
-    sum.ambient = vec3(0.0f);
-    if (local.ambient == vec3(0.0f) && local.sky_nodes == 0u) { return sum; }
-    vec3 albedo = bsdf_albedo(p.bsdf, abs(dot(shown_normal(p), at.wo)));
-    sum.ambient = albedo * local.ambient;
-    if (local.sky_nodes != 0u) { sum.ambient += lit_by_sky(p, wo_local, albedo); }
+    for (uint i = 0u; i < load_local_lighting().lamps; ++i) { sum.direct += lamp_light(p, at, i); }
+    sum.ambient = ambient_light(p, at);
     return sum;
 }
 
@@ -175,16 +184,7 @@ LocalLight interpolated_light(IN(PathState) path, IN(MaterialRecord) m) {
     return light;
 }
 
-LocalLight light_by_frequency(IN(PathState) path, IN(ShadingPoint) seen, IN(LocalView) at) {
-    LET_REF(LocalLightingConstants) local = load_local_lighting();
-    if (local.frequency == FREQUENCY_PIXEL) { return light_of(seen, at); }
-    MaterialRecord m = local_material(path);
-    return local.frequency == FREQUENCY_VERTEX
-               ? interpolated_light(path, m)
-               : local_light_at(path, m, 1.0f / 3.0f, 1.0f / 3.0f);
-}
-
-// The picture's two steps, each of them for many pixels at a time where a backend can: while one
+// The picture's steps, each of them for many pixels at a time where a backend can: while one
 // waits for memory the next has begun. First what the camera sees, if it is a surface ...
 bool path_sees_surface(INOUT(PathState) path) {
     if (path.hit.instance == HIT_NOTHING) {
@@ -206,17 +206,26 @@ ShadingPoint path_local_point(IN(PathState) path, IN(MaterialRecord) material, I
     return load_shading_point(material, s, at.wo, u_lod, load_frame().diffuse_shading != 0u);
 }
 
-// ... then all of the light that comes from there. What lamps send stands as direct light, what
-// comes from all sides as indirect light.
-void path_light_locally(INOUT(PathState) path, INOUT(ShadingPoint) seen, IN(LocalView) at) {
+// ... then what is seen of it whatever light there is. Whether there is light to be added.
+bool path_begin_light(INOUT(PathState) path, INOUT(ShadingPoint) seen, IN(LocalView) at) {
     path.guides = guides_of(seen, path.hit, at.wo);
     path_end(path, own_light(path, seen));
-    if ((seen.flags & MATERIAL_UNLIT) != 0u) { return; }
+    if ((seen.flags & MATERIAL_UNLIT) != 0u) { return false; }
     if (load_local_lighting().replaces_materials != 0u) {
         seen.bsdf = lighting_model(seen.bsdf.base_color);
         path.guides.albedo = bsdf_albedo(seen.bsdf, abs(dot(seen.frame.n, at.wo)));
     }
-    LocalLight light = light_by_frequency(path, seen, at);
+    return true;
+}
+
+// ... then all of the light that comes from there: what lamps send as direct light, what comes from
+// all sides as indirect light. Of pixels by themselves these are the sum of lamp_light over lamps,
+// and ambient_light; else it is this.
+void path_light_locally(INOUT(PathState) path) {
+    MaterialRecord m = local_material(path);
+    LocalLight light = load_local_lighting().frequency == FREQUENCY_VERTEX
+                           ? interpolated_light(path, m)
+                           : local_light_at(path, m, 1.0f / 3.0f, 1.0f / 3.0f);
     path.light.direct = light.direct;
     path.light.indirect = light.ambient;
 }

@@ -9,13 +9,16 @@
 #include "statistics/random.h"
 
 GP_SHADING_BEGIN
-#include "kernels/slope_sun.glsl"
+#include "shading/bsdf/glint_sun.glsl"
 GP_SHADING_END
 
 namespace gp::test {
 namespace {
 
 using namespace gp::shading;
+using namespace glm;
+
+#include "backend/cpu/isa/sun_block.h"
 
 DirectionalLight sunAt(vec3 direction, float radius) {
     DirectionalLight sun;
@@ -51,7 +54,7 @@ TEST(SlopeSun, TheKernelTakesTheDisc) {
                                                0.02f * random.uniform());
         const Slopes before = glint_of(m).slopes;
         BsdfParams wider = m;
-        wider.slot_e = glint_kernel_with(m, more);
+        wider.slot_e = glint_kernel_with(m.slot_e, more);
         const Slopes after = glint_of(wider).slopes;
         EXPECT_NEAR(after.var_x, before.var_x + more.x, 1e-5f * after.var_x);
         EXPECT_NEAR(after.var_y, before.var_y + more.y, 1e-5f * after.var_y);
@@ -129,6 +132,47 @@ TEST(SlopeSun, OnlyWideSlopesHideTheDisc) {
     EXPECT_FALSE(hides(0.01f, 0.02f));
     EXPECT_TRUE(hides(0.05f, 0.02f));
     EXPECT_TRUE(hides(0.002f, 0));
+}
+
+template <uint32_t masking>
+void expectBlockIsEach() {
+    Random random(7 + masking);
+    const auto number = [&](float most) { return most * (2 * random.uniform() - 1); };
+    const DirectionalLight sun = sunAt(up, 0.02f);
+    const float sinRadius = sqrt(sun_sin_squared(sun));
+    for (int round = 0; round < 40; ++round) {
+        SunBlock block;
+        std::vector<BsdfParams> materials;
+        const auto count = uint32_t(1 + random.uniform() * 63.9f);
+        while (block.count < count) {
+            BsdfParams m = facets(0.02f + 0.3f * random.uniform(), 1, GLINT_DICTIONARY);
+            m.slot_a.x = number(0.3f), m.slot_a.y = number(0.3f), m.slot_a.z = number(0.8f);
+            m.slot_e = vec4(number(0.02f), number(0.02f), number(0.02f), number(0.02f));
+            const vec3 wo = normalize(vec3(number(1), number(1), 0.2f + random.uniform()));
+            const vec3 wi = normalize(vec3(number(1), number(1), 0.2f + random.uniform()));
+            if (!reflects_sun(m, wo, wi, sun)) continue;
+            block.add(block.count, m, wo, wi);
+            materials.push_back(m);
+        }
+        findFacets<masking>(block, sinRadius);
+        for (uint32_t i = 0; i < count; ++i) {
+            const BsdfParams& m = materials[i];
+            const SunFacets each = sun_facets(glint_material_slopes(m), m.slot_e, masking,
+                                              block.wo(i), block.wi(i), sinRadius);
+            const SunFacets found = block.facets(i);
+            for (int k = 0; k < 4; ++k) EXPECT_NEAR(found.kernel[k], each.kernel[k], 1e-5f);
+            EXPECT_NEAR(found.facet.slope.x, each.facet.slope.x, 1e-5f);
+            EXPECT_NEAR(found.facet.slope.y, each.facet.slope.y, 1e-5f);
+            EXPECT_NEAR(found.facet.f_cos, each.facet.f_cos, 1e-4f * each.facet.f_cos);
+            EXPECT_NEAR(found.facet.pdf, each.facet.pdf, 1e-4f * each.facet.pdf);
+            EXPECT_NEAR(found.facet.cos_h, each.facet.cos_h, 1e-5f);
+        }
+    }
+}
+
+TEST(SlopeSun, BlocksOfPointsFindTheFacetsOfEach) {
+    expectBlockIsEach<GLINT_MASKING_V_CAVITY>();
+    expectBlockIsEach<GLINT_MASKING_SMITH>();
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #ifndef GP_KERNELS_REALTIME_SUN_REFLECTION_GLSL
 #define GP_KERNELS_REALTIME_SUN_REFLECTION_GLSL
 #include "kernels/realtime/pixel_surface.glsl"
-#include "kernels/slope_sun.glsl"
+#include "shading/bsdf/glint_sun.glsl"
 
 // Radiance towards the viewer, over what mirrors on the way have left.
 struct SunLight {

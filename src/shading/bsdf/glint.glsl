@@ -127,19 +127,9 @@ BsdfValue glint_base_eval(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
     return v;
 }
 
-BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
-    bool front = slope_facing(view.g.slopes.mean, i) > 0.0f;
-    if (!front && gltf_transmissive_share(m) <= 0.0f) {
-        return bsdf_no_value();
-    }
-    bool refracts = !front && m.thin == 0u;
-    GlintFacet facet;
-    if (refracts) {
-        facet = glint_refraction(m, view.g.slopes, view.o, i, view.eta);
-    } else {
-        vec3 reflected = front ? i : mesosurface_mirrored(view.g.slopes.mean, i);
-        facet = glint_reflection(m, view.g.slopes, view.o, reflected);
-    }
+// Of one facet, with the base's. front: it reflects, and i is before the mesosurface.
+BsdfValue glint_facet_value(IN(BsdfParams) m, IN(GlintView) view, IN(GlintFacet) facet, vec3 i,
+                            bool front, bool refracts) {
     // In one place for all kinds of facets: it is by far the longest of all that is done here.
     GlintDensity p22 = glint_density(glint_method(m), view.g, facet.slope);
     float cos_t = refracts ? facet.cos_t : glint_cos_behind(m, facet.cos_h, view.eta);
@@ -154,6 +144,22 @@ BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
         v.pdf += view.p_base * base.pdf;
     }
     return v;
+}
+
+BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
+    bool front = slope_facing(view.g.slopes.mean, i) > 0.0f;
+    if (!front && gltf_transmissive_share(m) <= 0.0f) {
+        return bsdf_no_value();
+    }
+    bool refracts = !front && m.thin == 0u;
+    GlintFacet facet;
+    if (refracts) {
+        facet = glint_refraction(m, view.g.slopes, view.o, i, view.eta);
+    } else {
+        vec3 reflected = front ? i : mesosurface_mirrored(view.g.slopes.mean, i);
+        facet = glint_reflection(glint_masking(m), view.g.slopes, view.o, reflected);
+    }
+    return glint_facet_value(m, view, facet, i, front, refracts);
 }
 
 // kernel: in the place of the material's own, slot_e.

@@ -197,23 +197,21 @@ GlintFacet glint_no_facet() {
     return facet;
 }
 
-// o and i before the mesosurface.
+// o and i before the mesosurface. Without branches, so that loops become vectors.
 // [Walter et al. 2007, EGSR, equation 20; per projected area: Dupuy et al. 2013, equation 9]
-GlintFacet glint_reflection(IN(BsdfParams) m, IN(Slopes) d, vec3 o, vec3 i) {
+GlintFacet glint_reflection(uint masking, IN(Slopes) d, vec3 o, vec3 i) {
     vec3 h = o + i;
     float h_length = length(h);
-    if (!(h.z > 1.0e-6f * h_length)) {
-        return glint_no_facet();
-    }
-    vec3 wm = h / h_length;
+    bool above = h.z > 1.0e-6f * h_length;
+    vec3 wm = above ? h / h_length : vec3(0.0f, 0.0f, 1.0f);
     float z2 = wm.z * wm.z;
-    float scale = 0.25f / (z2 * z2 * slope_facing(d.mean, o));
+    float scale = above ? 0.25f / (z2 * z2 * slope_facing(d.mean, o)) : 0.0f;
     GlintFacet facet;
     facet.slope = slope_of(wm);
-    facet.cos_h = min(0.5f * h_length, 1.0f);
+    facet.cos_h = above ? min(0.5f * h_length, 1.0f) : 0.0f;
     facet.cos_t = 0.0f;
     facet.pdf = scale * sheared_cavity_g1(d.mean, facet.slope, o);
-    facet.f_cos = scale * glint_masking_g2(glint_masking(m), d, facet.slope, o, i);
+    facet.f_cos = scale * glint_masking_g2(masking, d, facet.slope, o, i);
     return facet;
 }
 

@@ -1,7 +1,7 @@
 // Suns over surfaces of slopes (the model `glint`, the sea): their disc as slopes of the surface,
 // so that one evaluation has all of its light.
-#ifndef GP_KERNELS_SLOPE_SUN_GLSL
-#define GP_KERNELS_SLOPE_SUN_GLSL
+#ifndef GP_SHADING_BSDF_GLINT_SUN_GLSL
+#define GP_SHADING_BSDF_GLINT_SUN_GLSL
 #include "shading/bsdf/bsdf.glsl"
 #include "shading/light/directional.glsl"
 #include "shading/slope/mean_slope.glsl"
@@ -21,10 +21,10 @@ float sun_sin_squared(IN(DirectionalLight) sun) {
     return sun.one_minus_cos_max * (2.0f - sun.one_minus_cos_max);
 }
 
-// The pixel's kernel (as slot_e) with a covariance (xx, yy, xy) added: slopes get it, glints are
+// A pixel's kernel (as slot_e) with a covariance (xx, yy, xy) added: slopes get it, glints are
 // blurred by it, each cell's own.
-vec4 glint_kernel_with(IN(BsdfParams) m, vec3 covariance) {
-    vec3 k = ndf_kernel(vec2(m.slot_e.x, m.slot_e.y), vec2(m.slot_e.z, m.slot_e.w)) * 0.5f;
+vec4 glint_kernel_with(vec4 kernel, vec3 covariance) {
+    vec3 k = ndf_kernel(vec2(kernel.x, kernel.y), vec2(kernel.z, kernel.w)) * 0.5f;
     k = (k + covariance) * (1.0f / NDF_PIXEL_VARIANCE);
     // Two changes that have this covariance: the columns of its Cholesky factor.
     float xx = sqrt(max(k.x, 0.0f));
@@ -49,29 +49,54 @@ vec3 slopes_matte_part(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local) {
     return lit ? glint_base_eval(m, seen, i).f_cos : vec3(0.0f);
 }
 
-bool reflects_sun(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local) {
+// Whether sun_facets are what a surface reflects of a sun, wi_local to its middle.
+bool reflects_sun(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLight) sun) {
+    if (m.model != MODEL_GLINT || !(sun.one_minus_cos_max > 0.0f)) { return false; }
     vec2 mean = glint_mean(m);
     return slope_facing(mean, wo_local) > 0.0f && slope_facing(mean, wi_local) > 0.0f &&
            wo_local.z + wi_local.z >= SUN_LEAST_HEIGHT;
 }
 
-// f cos of a sun, wi_local to its middle: surfaces of slopes reflect all of the disc. Their kernel
-// is wider by the slopes that the disc takes, which has the same light, and the same variance of
-// the highlight. Where slopes are narrower than the disc the highlight of smooth ones is its sharp
+// What reflects a sun: its kernel is wider by the slopes that the disc takes, which has the same
+// light, and the same variance of the highlight.
+struct SunFacets {
+    vec4 kernel;      // in the place of the material's own
+    GlintFacet facet;
+};
+
+// material: its slopes, kernel: its slot_e. Without branches, so that loops become vectors.
+SunFacets sun_facets(IN(Slopes) material, vec4 kernel, uint masking, vec3 wo_local, vec3 wi_local,
+                     float sin_radius) {
+    SunFacets s;
+    s.kernel =
+        glint_kernel_with(kernel, sun_slope_covariance(wo_local, wi_local, sin_radius));
+    Slopes d = glint_kernel_added(material, vec2(s.kernel.x, s.kernel.y),
+                                  vec2(s.kernel.z, s.kernel.w));
+    s.facet = glint_reflection(masking, d, wo_local, wi_local);
+    return s;
+}
+
+// f cos of a sun. Where slopes are narrower than the disc the highlight of smooth ones is its sharp
 // image; glints keep the Gaussian, as their cells are made for covariances.
-vec3 sun_f_cos(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLight) sun) {
-    if (m.model != MODEL_GLINT || !(sun.one_minus_cos_max > 0.0f) ||
-        !reflects_sun(m, wo_local, wi_local)) {
-        return bsdf_eval(m, wo_local, wi_local).f_cos;
-    }
-    float radius = sqrt(sun_sin_squared(sun));
-    vec4 kernel = glint_kernel_with(m, sun_slope_covariance(wo_local, wi_local, radius));
-    vec3 f_cos = glint_bsdf_eval(m, kernel, wo_local, wi_local).f_cos;
+vec3 sun_facets_f_cos(IN(BsdfParams) m, IN(SunFacets) s, vec3 wo_local, vec3 wi_local,
+                      IN(DirectionalLight) sun) {
+    GlintView seen = glint_view(m, s.kernel, wo_local);
+    vec3 f_cos = glint_facet_value(m, seen, s.facet, wi_local, true, false).f_cos;
     if (glint_method(m) != GLINT_SMOOTH) { return f_cos; }
-    float shape = sun_disc_shape(glint_of(m).slopes, wo_local, wi_local, radius);
+    float shape =
+        sun_disc_shape(glint_of(m).slopes, wo_local, wi_local, sqrt(sun_sin_squared(sun)));
     if (shape == 1.0f) { return f_cos; }
     vec3 base = slopes_matte_part(m, wo_local, wi_local);
     return base + (f_cos - base) * shape;
+}
+
+vec3 sun_f_cos(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLight) sun) {
+    if (!reflects_sun(m, wo_local, wi_local, sun)) {
+        return bsdf_eval(m, wo_local, wi_local).f_cos;
+    }
+    SunFacets s = sun_facets(glint_material_slopes(m), m.slot_e, glint_masking(m), wo_local,
+                             wi_local, sqrt(sun_sin_squared(sun)));
+    return sun_facets_f_cos(m, s, wo_local, wi_local, sun);
 }
 
 #endif
