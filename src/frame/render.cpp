@@ -36,7 +36,7 @@ public:
     RenderResult run() {
         if (plan_.mode == FrameMode::reference)
             plan_.lightVisibility = backend_.estimateLightVisibility(scene_, plan_);
-        first_ = samplesOfAll();
+        first_ = plan_.accumulate ? samplesOfAll() : 0;
         const uint32_t begin = first_;
         uint32_t batch = 1;
         while (!result_.cancelled && !finished(first_ - begin)) {
@@ -54,8 +54,10 @@ public:
             batch = nextBatch(count, seconds);
         }
         result_.secondsRender = secondsSince(start_);
-        result_.samplesPerPixel = samplesOfAll();
-        result_.noise = estimateNoise(images_);
+        result_.samplesPerPixel = result_.cancelled ? samplesOfAll() : first_;
+        // Of one sample there is no error to be seen, and reading all pixels takes its time.
+        const bool isOne = first_ < 2 && !plan_.accumulate;
+        result_.noise = isOne ? -1 : estimateNoise(images_);
         finishPicture(backend_, plan_, plan_.exposureEv, tracedPicture(backend_, plan_, images_),
                       images_);
         return result_;

@@ -90,10 +90,7 @@ TEST(AlphaOption, IsRefusedWhereAFileHasNone) {
     for (const auto& row : rows) {
         Words words = row.words;
         words.emplace_back("--alpha");
-        const ToolResult result = runTool(words);
-        EXPECT_EQ(result.exitCode, 2) << row.message;
-        EXPECT_NE(result.err.find(row.message), std::string::npos) << result.err;
-        EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
+        expectError(runTool(words), 2, row.message);
     }
 }
 

@@ -11,12 +11,6 @@ namespace {
 
 constexpr const char* kHead = "model,params,lx,ly,lz,vx,vy,vz\n";
 
-void expectError(const ToolResult& result, int exitCode, const std::string& says) {
-    EXPECT_EQ(result.exitCode, exitCode) << result.err;
-    EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
-    EXPECT_NE(result.err.find(says), std::string::npos) << result.err;
-}
-
 std::vector<std::string> fieldsOf(const std::string& line) {
     std::vector<std::string> fields(1);
     bool quoted = false;

@@ -106,10 +106,7 @@ TEST(SeaOfView, WrongOptionsAreRefused) {
     for (const auto& row : rows) {
         Words words = {"view"};
         words.insert(words.end(), row.words.begin(), row.words.end());
-        const ToolResult result = runTool(words);
-        EXPECT_EQ(result.exitCode, 2) << row.message;
-        EXPECT_NE(result.err.find(row.message), std::string::npos) << result.err;
-        EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
+        expectError(runTool(words), 2, row.message);
     }
 }
 
