@@ -55,9 +55,7 @@ public:
         }
         result_.secondsRender = secondsSince(start_);
         result_.samplesPerPixel = result_.cancelled ? samplesOfAll() : first_;
-        // Of one sample there is no error to be seen, and reading all pixels takes its time.
-        const bool isOne = first_ < 2 && !plan_.accumulate;
-        result_.noise = isOne ? -1 : estimateNoise(images_);
+        result_.noise = noiseNow();
         finishPicture(backend_, plan_, plan_.exposureEv, tracedPicture(backend_, plan_, images_),
                       images_);
         return result_;
@@ -85,9 +83,14 @@ private:
         return false;
     }
 
+    // Of one sample there is no error to be seen, and reading all pixels takes its time.
+    double noiseNow() const {
+        return first_ < 2 && !plan_.accumulate ? -1 : estimateNoise(images_);
+    }
+
     void updateNoise(double interval) {
         if (noise_ >= 0 && secondsSince(lastNoise_) < interval) return;
-        noise_ = estimateNoise(images_);
+        noise_ = noiseNow();
         lastNoise_ = Clock::now();
     }
 
