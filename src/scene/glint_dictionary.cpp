@@ -28,7 +28,10 @@ using namespace shading;
 constexpr size_t places = 513;
 constexpr double placeStep = double(GLINT_REACH) / (places - 1);
 
-double normalCdf(double x) { return 0.5 * std::erfc(-x * M_SQRT1_2); }
+// Beyond 8 what is left is below a double's last digit.
+double normalCdf(double x) {
+    return x < -8.0 ? 0.0 : x > 8.0 ? 1.0 : 0.5 * std::erfc(-x * M_SQRT1_2);
+}
 
 constexpr size_t copies = 4;  // but for the normal distribution, the same for all
 
@@ -60,13 +63,14 @@ std::array<float, GLINT_BINS> lobes(double mean, double width) {
 // As roots in units of GLINT_ROOT. What rounding took from a bin the next one has more, so that
 // the sum stays.
 std::array<uint, GLINT_BINS> rounded(const std::array<float, GLINT_BINS>& bins) {
+    constexpr double unit = double(GLINT_ROOT) * double(GLINT_ROOT);
     std::array<uint, GLINT_BINS> roots;
     double left = 0.0;
     for (uint i = 0; i < GLINT_BINS; ++i) {
         left += double(bins[i]);
-        roots[i] = std::min(uint(std::sqrt(std::max(left, 0.0)) / double(GLINT_ROOT) + 0.5),
-                            65535u);
-        left -= double(roots[i]) * roots[i] * double(GLINT_ROOT) * double(GLINT_ROOT);
+        const float root = std::sqrt(std::max(float(left), 0.0f)) * (1.0f / GLINT_ROOT);
+        roots[i] = std::min(uint(root + 0.5f), 65535u);
+        left -= double(roots[i]) * roots[i] * unit;
     }
     return roots;
 }

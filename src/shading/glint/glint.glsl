@@ -95,7 +95,7 @@ GlintSteps glint_steps(IN(GlintPyramid) p, vec2 uv, uint seed) {
 
 // Cells that one turn of the loop below takes, and the most rows and cells of a row that a
 // footprint has, by GLINT_ANISOTROPY.
-#define GLINT_BLOCK 16
+#define GLINT_BLOCK 8
 #define GLINT_MOST_ROWS 24
 #define GLINT_LONGEST_ROW 16
 
@@ -211,18 +211,12 @@ OUT_OF_LINE float glint_mean_of_cells(IN(GlintQuery) q, IN(GlintSteps) s) {
             sum_high[i] += high[i] * value;
         }
     }
-    // By halves: sums that wait for each other take as long as a third of a block.
+    // By halves: sums that wait for each other take longer.
     for (int i = 0; i < GLINT_BLOCK / 2; ++i) {
         all_low[i] += all_low[i + GLINT_BLOCK / 2];
         all_high[i] += all_high[i + GLINT_BLOCK / 2];
         sum_low[i] += sum_low[i + GLINT_BLOCK / 2];
         sum_high[i] += sum_high[i + GLINT_BLOCK / 2];
-    }
-    for (int i = 0; i < GLINT_BLOCK / 4; ++i) {
-        all_low[i] += all_low[i + GLINT_BLOCK / 4];
-        all_high[i] += all_high[i + GLINT_BLOCK / 4];
-        sum_low[i] += sum_low[i + GLINT_BLOCK / 4];
-        sum_high[i] += sum_high[i + GLINT_BLOCK / 4];
     }
     float mean = ((sum_low[0] + sum_low[1]) + (sum_low[2] + sum_low[3]))
                / ((all_low[0] + all_low[1]) + (all_low[2] + all_low[3]));
