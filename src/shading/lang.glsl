@@ -15,10 +15,17 @@
 layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer TableWords {
     float words[];
 };
+layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer TableUints {
+    uint words[];
+};
 bool table_exists(uvec2 table) { return (table.x | table.y) != 0u; }
 float table_float(uvec2 table, uint index) { return TableWords(table).words[index]; }
+uvec2 table_uint2(uvec2 table, uint index) {
+    return uvec2(TableUints(table).words[index], TableUints(table).words[index + 1u]);
+}
 #else
 bool table_exists(uvec2 table) { return false; }
 float table_float(uvec2 table, uint index) { return 0.0f; }
+uvec2 table_uint2(uvec2 table, uint index) { return uvec2(0u); }
 #endif
 #endif

@@ -36,7 +36,7 @@
 
 // Numbers in memory, for the models that look up more than a constant table can hold: a table is
 // its 64-bit address in two words, the low one first; 0 is no table. Nothing else in src/shading
-// touches memory; lang.glsl has the same two functions.
+// touches memory; lang.glsl has the same functions.
 namespace gp::shading {
 
 static inline bool table_exists(glm::uvec2 table) {
@@ -46,6 +46,17 @@ static inline bool table_exists(glm::uvec2 table) {
 static inline float table_float(glm::uvec2 table, unsigned index) {
     const uint64_t address = uint64_t(table.x) | (uint64_t(table.y) << 32u);
     return reinterpret_cast<const float*>(static_cast<uintptr_t>(address))[index];
+}
+
+// Two words that follow each other. In loops too they are read one by one: what compilers make of
+// it for vectors takes longer.
+static inline glm::uvec2 table_uint2(glm::uvec2 table, unsigned index) {
+    asm("" : "+r"(index));
+    const uint64_t address = uint64_t(table.x) | (uint64_t(table.y) << 32u);
+    const uint32_t* words = reinterpret_cast<const uint32_t*>(static_cast<uintptr_t>(address));
+    glm::uvec2 both;
+    __builtin_memcpy(&both, words + index, sizeof(both));
+    return both;
 }
 
 }  // namespace gp::shading

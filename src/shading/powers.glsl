@@ -29,6 +29,16 @@ IN_LOOPS float exp2_within_126(float x) {
     return e * uintBitsToFloat(uint(biased) << 23u);
 }
 
+// 2^n for a whole number n between -126 and 127.
+IN_LOOPS float exp2_whole(float n) {
+    return uintBitsToFloat(uint(int(n) + 127) << 23u);
+}
+
+// The floor of the logarithm to base 4, at once: half of the exponent. x: normal, above 0.
+IN_LOOPS int log4_floor(float x) {
+    return int(((floatBitsToUint(x) >> 23u) + 1u) >> 1u) - 64;
+}
+
 // Exponents above 0. Of 0 a number below 1e-12 for those of gammas, 1 / 2.4 and above.
 IN_LOOPS float pow_above_0(float x, float exponent) {
     return exp2_within_126(max(exponent * log2_above_0(max(x, 1.0e-30f)), -125.0f));

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -318,10 +319,10 @@ TEST_P(Differential, CppEqualsVulkan) {
         job.outputStride = uint32_t(run.kinds.size());
         job.count = inputCount();
         if (std::strstr(table.rows[i].body, "in_table()") != nullptr) {
-            job.table = measuredExample()->words;
+            job.table = std::as_bytes(std::span(measuredExample()->words));
         }
         if (std::strstr(table.rows[i].body, "in_glints()") != nullptr) {
-            job.table = glintWords();
+            job.table = std::as_bytes(std::span(glintWords()));
         }
         compareRow(table.rows[i], run, vulkan->run(job), job.count);
     }

@@ -261,7 +261,7 @@ std::vector<uint32_t> VulkanCompute::run(const Job& job) const {
     Buffer output(*this, size_t(job.outputStride) * job.count);
     std::memcpy(input.mapped, job.input->data(), job.input->size() * sizeof(uint32_t));
     std::memset(output.mapped, 0xFF, output.size);  // NaN: an output that is not written shows
-    Buffer table(*this, std::max<size_t>(job.table.size(), 1));
+    Buffer table(*this, std::max<size_t>(job.table.size() / sizeof(uint32_t), 1));
     std::memcpy(table.mapped, job.table.data(), job.table.size_bytes());
     Pipeline pipeline(device_, job);
     pipeline.bind(input, output);

@@ -2,6 +2,7 @@
 // compare the shading functions of the two compilers. Not a piece of the renderer.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -31,7 +32,7 @@ public:
         uint32_t inputStride = 0;                     // words an invocation: push constants
         uint32_t outputStride = 0;
         uint32_t count = 0;                           // invocations; the shader checks the bound
-        std::span<const float> table;                 // its address follows the other constants
+        std::span<const std::byte> table;  // words; their address follows the other constants
     };
     std::vector<uint32_t> run(const Job& job) const;
 

@@ -19,16 +19,44 @@ GlintWidth width(uint index) {
     return w;
 }
 
+// What is stored of a bin, 0 … 63 and one more at both ends, of the copies 0 … 4.
+double stored(uint row, uint copy, int bin) {
+    const uint width = std::min(copy, 3u);
+    const uint word =
+        table_uint2(glintDictionary(), glint_at(row, width, uint(bin + 1))).x;
+    return double(copy == width ? glint_narrow(word) : glint_wide(word)) *
+           (double(GLINT_ROOT) * double(GLINT_ROOT));
+}
+
 TEST(GlintDictionary, EveryRowIntegratesToOneOverBothSides) {
+    for (uint level = 0; level < uint(GLINT_LEVELS); ++level) {
+        for (uint entry = 0; entry < glint_entries(level); ++entry) {
+            for (uint copy = 0; copy <= 4; ++copy) {
+                double sum = 0.0;
+                for (int i = 0; i < int(GLINT_BINS); ++i)
+                    sum += stored(glint_row(level, entry), copy, i);
+                ASSERT_NEAR(2.0 * sum / double(GLINT_BINS_PER_UNIT), 1.0, 2e-6)
+                    << level << ' ' << entry << ' ' << copy;
+            }
+        }
+    }
+}
+
+// A word has a bin of two copies, and both ends have their bin twice.
+TEST(GlintDictionary, WhatIsStoredTwiceIsTheSame) {
     const uvec2 table = glintDictionary();
     for (uint level = 0; level < uint(GLINT_LEVELS); ++level) {
         for (uint entry = 0; entry < glint_entries(level); ++entry) {
-            for (uint w = 0; w <= 4; ++w) {
-                const GlintBins bins = glint_bins(glint_row(level, entry), w);
-                double sum = 0.0;
-                for (uint i = 0; i < bins.count; ++i)
-                    sum += double(table_float(table, bins.base + i));
-                ASSERT_NEAR(2.0 * sum * 4.0 / bins.count, 1.0, 2e-6) << level << ' ' << entry;
+            const uint row = glint_row(level, entry);
+            for (uint width = 0; width < 4; ++width) {
+                for (uint bin = 0; width < 3 && bin < GLINT_COPY - 1; ++bin) {
+                    ASSERT_EQ(table_uint2(table, glint_at(row, width, bin)).x >> 16u,
+                              table_uint2(table, glint_at(row, width + 1, bin)).x & 65535u);
+                }
+                const uvec2 first = table_uint2(table, glint_at(row, width, 0));
+                const uvec2 last = table_uint2(table, glint_at(row, width, GLINT_BINS));
+                ASSERT_EQ(first.x, first.y);
+                ASSERT_EQ(last.x, last.y);
             }
         }
     }
@@ -81,17 +109,23 @@ TEST(GlintDictionary, MeanOfAllEntriesIsNormalAtEveryLevel) {
     }
 }
 
-// A row is the mean of its two children, and the last level's two together are all.
+// A row is the mean of its two children, and the last level's two together are all. Rounding: half
+// a unit of a root is 4e-5 of the root of a density, of three rows, and what the bin before left.
 TEST(GlintDictionary, RowsAreTheMeansOfTheirChildren) {
-    const uvec2 table = glintDictionary();
     for (uint level = 1; level < uint(GLINT_LEVELS); ++level) {
         for (uint entry = 0; entry < glint_entries(level); ++entry) {
             const uint row = glint_row(level, entry), first = glint_row(level - 1, entry);
             const uint second = glint_row(level - 1, entry + glint_entries(level));
-            for (uint i = 0; i < GLINT_ROW; ++i) {
-                const float mean = 0.5f * (table_float(table, first + i)
-                                           + table_float(table, second + i));
-                ASSERT_FLOAT_EQ(table_float(table, row + i), mean) << level << ' ' << entry;
+            for (uint copy = 0; copy <= 4; ++copy) {
+                double largest = 0.0;
+                for (int i = 0; i < int(GLINT_BINS); ++i) {
+                    const double a = stored(first, copy, i), b = stored(second, copy, i);
+                    const double own = std::max({a, b, 1e-4});
+                    ASSERT_NEAR(stored(row, copy, i), 0.5 * (a + b),
+                                2.0 * 4e-5 * (std::sqrt(own) + std::sqrt(largest)))
+                        << level << ' ' << entry << ' ' << copy << ' ' << i;
+                    largest = own;
+                }
             }
         }
     }
@@ -100,12 +134,11 @@ TEST(GlintDictionary, RowsAreTheMeansOfTheirChildren) {
 
 // By size of their slopes, from the means of what is stored of them.
 std::vector<uint> ranksOfLeaves() {
-    const uvec2 table = glintDictionary();
     std::vector<std::pair<double, uint>> leaves;
     for (uint leaf = 0; leaf < glint_entries(0u); ++leaf) {
         double mean = 0.0;
-        for (uint bin = 0; bin < 64u; ++bin)
-            mean += (bin + 0.5) / 128.0 * double(table_float(table, glint_row(0u, leaf) + bin));
+        for (int bin = 0; bin < int(GLINT_BINS); ++bin)
+            mean += (bin + 0.5) / 128.0 * stored(glint_row(0u, leaf), 0, bin);
         leaves.emplace_back(mean, leaf);
     }
     std::sort(leaves.begin(), leaves.end());
@@ -140,10 +173,10 @@ TEST(GlintDictionary, ContrastIsNearThatOfAsManyFacets) {
             for (int i = 0; i < count; ++i) {
                 const float angle = 1.5707963f * random.uniform();
                 const double p =
-                    double(glint_marginal_sharp(table, glint_row(level, random.next() % entries),
-                                                radius * std::cos(angle))) *
-                    double(glint_marginal_sharp(table, glint_row(level, random.next() % entries),
-                                                radius * std::sin(angle)));
+                    double(glint_marginal(table, glint_row(level, random.next() % entries),
+                                          width(0), radius * std::cos(angle))) *
+                    double(glint_marginal(table, glint_row(level, random.next() % entries),
+                                          width(0), radius * std::sin(angle)));
                 sum += p, squares += p * p;
             }
             const double mean = sum / count;

@@ -22,15 +22,13 @@ struct GlintLevel {
     uint seed;
 };
 
-// The first (0) or the second (1) of two, without a branch.
-IN_LOOPS GlintLevel glint_level_between(IN(GlintLevel) a, IN(GlintLevel) b, float which) {
-    GlintLevel l;
-    l.shift = a.shift + (b.shift - a.shift) * uint(which);
-    l.facets = a.facets + (b.facets - a.facets) * which;
-    l.spread = a.spread;
-    l.occupied = a.occupied + (b.occupied - a.occupied) * which;
-    l.share = a.share + (b.share - a.share) * which;
-    l.seed = a.seed;
+// One of two, in loops: number by number, for a reference to either would be a branch.
+IN_LOOPS GlintLevel glint_level_either(IN(GlintLevel) a, IN(GlintLevel) b, bool second) {
+    GlintLevel l = a;
+    l.shift = second ? b.shift : a.shift;
+    l.facets = second ? b.facets : a.facets;
+    l.occupied = second ? b.occupied : a.occupied;
+    l.share = second ? b.share : a.share;
     return l;
 }
 
@@ -52,11 +50,11 @@ IN_LOOPS GlintCell glint_cell(IN(GlintLevel) level, int x, int y) {
     // Between two levels of the dictionary cells take either, by the fraction: no level where all
     // of them change at once.
     float l = level.facets + level.spread * (glint_bits(h.x) - 0.5f) + glint_bits(h.x >> 16u);
-    int at = int(clamp(l, 0.0f, float(GLINT_LEVELS)));
+    int at = max(int(l), 0);
     GlintCell c;
-    // Products for conditions: no branches, so that compilers make vectors of it.
-    float facets = float(at < GLINT_LEVELS) * float(glint_bits(h.y) < level.occupied);
-    c.share = level.share * facets;
+    // Integers for conditions: no branches, so that compilers make vectors of it.
+    int facets = int(at < GLINT_LEVELS) & int(glint_bits(h.y) < level.occupied);
+    c.share = level.share * float(facets);
     uint row = uint(min(at, GLINT_LEVELS - 1));
     uint entries = glint_entries(row) - 1u;
     // The lower bits say the row, the ones above which of its children: a cell with fewer facets
@@ -74,8 +72,7 @@ struct GlintQuery {
     vec2 slope;     // whitened
     vec2 k0;        // the kernel, whitened, in standard deviations
     vec2 k1;
-    bool blurred;   // they are not 0
-    float scale;    // from whitened densities to those of slopes
+    float scale;    // from products of what is read of the table to densities of slopes
     float gaussian; // the smooth density at the slope
 };
 

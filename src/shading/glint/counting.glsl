@@ -47,11 +47,6 @@ float counting_normal(uint bits) {
     return (float(sum) - 510.0f) * (1.0f / 147.80f);
 }
 
-// 2^n for a whole number n between -126 and 127.
-float counting_power_of_two(float n) {
-    return uintBitsToFloat(uint(int(n) + 127) << 23u);
-}
-
 // Facets of one cell over their mean number there, from bits of its hash.
 // [Chermain et al. 2020, section 4.3: densities are log-normal, in levels of 4]
 float counting_unevenness(float jitter, uint bits) {
@@ -138,7 +133,7 @@ CountingGrid counting_grid(IN(CountingFootprint) f, float ring, float spoke, flo
     float k = spoke - spokes * floor(spoke / spokes);
     SinCos turn = sincos_turns(0.5f * k / spokes);
     vec2 at = vec2(turn.c * f.uv.x + turn.s * f.uv.y, turn.c * f.uv.y - turn.s * f.uv.x);
-    at = vec2(at.x * counting_power_of_two(-ring), at.y) * counting_power_of_two(-level);
+    at = vec2(at.x * exp2_whole(-ring), at.y) * exp2_whole(-level);
     // [Perlin 2001, "Noise Hardware": squares skewed into triangles]
     vec2 skewed = vec2(at.x - 0.57735027f * at.y, 1.15470054f * at.y);
     // Far beyond what floats tell apart, all is one cell.

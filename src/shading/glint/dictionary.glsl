@@ -5,25 +5,32 @@
 // each the mean of its two children, down to level 0 with one lobe and its mirror image; a level
 // has half as many as the one below. The lobes below a node are stratified, one in each of as many
 // equal shares of the normal distribution, so that the contrast of a product of two rows falls with
-// the number of its facets as that of single facets does. A row is kept four times for four widths
+// the number of its facets as that of single facets does. A row is kept five times for five widths
 // of kernel, in which lobes have the width 2^m / 16 and lie as much closer together that the
 // variance stays. Width 4 is the normal distribution, the same for all.
 //
-// A row holds averages over bins of [0, 4], 64 | 32 | 16 | 16 of them. It is read linearly between
-// centres of bins and mirrored at both ends, so that what is read integrates to what was stored,
-// 1/2, exactly. Row `entry` of a level: glint_row; its children on the level below are `entry` and
-// `entry` + glint_entries(level). After the last row 16 averages of the normal distribution.
+// A copy holds averages over 64 bins of [0, 4], and before and after them the first and the last
+// again. It is read linearly between centres of bins and so mirrored at both ends, so that what is
+// read integrates to what was stored, 1/2, exactly. Reads are what glints cost, and all that one
+// needs lies side by side: the words of a row are those of the copies 0 to 3, and each word has a
+// bin of its copy (low half) and of the next one as square roots, in units of GLINT_ROOT: 16 bits
+// keep a density of 1 to 4e-5 and one of 0.001 to 1e-6. Row `entry` of a level: glint_row; its
+// children on the level below are `entry` and `entry` + glint_entries(level).
 // Based on: Chermain et al. 2020, "Procedural Physically based BRDF for Real-Time Rendering of
 // Glints", section 5; bins for nodes, widths for MIP levels, trees and where means lie are ours.
 #ifndef GP_SHADING_GLINT_DICTIONARY_GLSL
 #define GP_SHADING_GLINT_DICTIONARY_GLSL
+#include "shading/powers.glsl"
 
 #define GLINT_LEVELS 10
 #define GLINT_LEAVES 1024u  // of both trees: 2^GLINT_LEVELS, 10 bits of a cell's numbers
-#define GLINT_ROW 128u
-#define GLINT_NORMAL_ROW ((2u * GLINT_LEAVES - 2u) * GLINT_ROW)
-#define GLINT_WORDS (GLINT_NORMAL_ROW + 16u)
+#define GLINT_BINS 64u
+#define GLINT_COPY (GLINT_BINS + 2u)
+#define GLINT_ROW (4u * GLINT_COPY)
+#define GLINT_WORDS ((2u * GLINT_LEAVES - 2u) * GLINT_ROW)
 #define GLINT_REACH 4.0f  // where the tables end
+#define GLINT_BINS_PER_UNIT (float(GLINT_BINS) / GLINT_REACH)
+#define GLINT_ROOT (1.0f / 25600.0f)  // of densities up to 6.55; a lobe and its mirror image: 6.38
 
 // How many rows a level has.
 IN_LOOPS uint glint_entries(uint level) {
@@ -35,30 +42,6 @@ IN_LOOPS uint glint_row(uint level, uint entry) {
     return (2u * GLINT_LEAVES - (2u * GLINT_LEAVES >> level) + entry) * GLINT_ROW;
 }
 
-// Where one width of a row lies.
-struct GlintBins {
-    uint base;
-    uint count;
-};
-
-IN_LOOPS GlintBins glint_bins(uint row, uint width) {
-    GlintBins b;
-    b.base = width < 4u ? row + 128u - (128u >> width) : GLINT_NORMAL_ROW;
-    b.count = max(64u >> width, 16u);
-    return b;
-}
-
-// The density at x in [0, 4].
-IN_LOOPS float glint_bins_read(uvec2 table, IN(GlintBins) b, float x) {
-    float p = x * (float(int(b.count)) * (1.0f / GLINT_REACH)) + 0.5f;
-    int k = int(p);
-    float t = p - float(k);
-    uint low = uint(max(k - 1, 0));
-    uint high = uint(min(k, int(b.count) - 1));
-    float at_low = table_float(table, b.base + low);
-    return at_low + t * (table_float(table, b.base + high) - at_low);
-}
-
 // A width between two of the stored ones is a mixture of them.
 struct GlintWidth {
     uint width;   // 0 … 3
@@ -68,27 +51,63 @@ struct GlintWidth {
 // Of a kernel with the variance `kernel` (of 1, all of it). What is left for lobes of width 1/16
 // is 1 - kernel; the mixture has the same variance.
 IN_LOOPS GlintWidth glint_width(float kernel) {
-    float v = 1.0f + 255.0f * kernel;
-    v = v < 256.0f ? v : 256.0f;
+    // By the bits, in whose order positive floats are: 1 to 256, and NaN is 256.
+    uint bits = min(max(floatBitsToUint(1.0f + 255.0f * kernel), 0x3f800000u), 0x43800000u);
     GlintWidth w;
-    // Sums for choices: no branches, so that compilers make vectors of it.
-    w.width = uint(v >= 4.0f) + uint(v >= 16.0f) + uint(v >= 64.0f);
-    w.share = (v / float(int(1u << (2u * w.width))) - 1.0f) * (1.0f / 3.0f);
+    w.width = min(uint(log4_floor(uintBitsToFloat(bits))), 3u);
+    // The quotient by that power of 4 is exact.
+    w.share = uintBitsToFloat(bits - (w.width << 24u)) * (1.0f / 3.0f) - (1.0f / 3.0f);
     return w;
 }
 
-// The density of one entry at x >= 0; 0 beyond 4.
-IN_LOOPS float glint_marginal(uvec2 table, uint row, IN(GlintWidth) w, float x) {
-    float inside = min(x, GLINT_REACH);
-    float a = glint_bins_read(table, glint_bins(row, w.width), inside);
-    float b = glint_bins_read(table, glint_bins(row, w.width + 1u), inside);
-    return (a + w.share * (b - a)) * (x < GLINT_REACH ? 1.0f : 0.0f);
+// Between which bins of a copy x >= 0 lies: the number of the lower one, the first being 1, and the
+// way from it.
+struct GlintPlace {
+    uint bin;
+    float t;
+};
+
+IN_LOOPS GlintPlace glint_place(float x) {
+    float p = x * GLINT_BINS_PER_UNIT + 0.5f;
+    // Integers for limits: of floats compilers make more than one instruction, for NaN's sake.
+    int bin = min(int(p), int(GLINT_BINS));
+    GlintPlace place;
+    place.bin = uint(bin);
+    place.t = p - float(bin);
+    return place;
 }
 
-// Without a kernel.
-IN_LOOPS float glint_marginal_sharp(uvec2 table, uint row, float x) {
-    float density = glint_bins_read(table, glint_bins(row, 0u), min(x, GLINT_REACH));
-    return density * (x < GLINT_REACH ? 1.0f : 0.0f);
+// The densities of a stored bin, in units of GLINT_ROOT^2: of the narrower and of the wider copy.
+IN_LOOPS float glint_narrow(uint word) {
+    float root = float(int(word & 65535u));
+    return root * root;
+}
+
+IN_LOOPS float glint_wide(uint word) {
+    float root = float(int(word >> 16u));
+    return root * root;
+}
+
+// Where the words of both bins of a read begin.
+IN_LOOPS uint glint_at(uint row, uint width, uint bin) {
+    return row + width * GLINT_COPY + bin;
+}
+
+// The density between two bins, out of their words; in units of GLINT_ROOT^2.
+IN_LOOPS float glint_read(uint low, uint high, float t, float share) {
+    float a = glint_narrow(low);
+    float b = glint_wide(low);
+    a += t * (glint_narrow(high) - a);
+    b += t * (glint_wide(high) - b);
+    return a + share * (b - a);
+}
+
+// The density of one entry at x >= 0; 0 beyond 4.
+float glint_marginal(uvec2 table, uint row, IN(GlintWidth) w, float x) {
+    GlintPlace p = glint_place(x);
+    uvec2 words = table_uint2(table, glint_at(row, w.width, p.bin));
+    float density = GLINT_ROOT * GLINT_ROOT * glint_read(words.x, words.y, p.t, w.share);
+    return x < GLINT_REACH ? density : 0.0f;
 }
 
 // A number of density glint_marginal(…, |x|): side, width and bin by their shares, then the tent
@@ -98,20 +117,21 @@ float glint_marginal_sample(uvec2 table, uint row, IN(GlintWidth) w, float u) {
     u = u < 0.5f ? 2.0f * u : 2.0f * u - 1.0f;
     bool wider = u < w.share;
     u = wider ? u / w.share : (u - w.share) / (1.0f - w.share);
-    GlintBins b = glint_bins(row, wider ? w.width + 1u : w.width);
-    float step = GLINT_REACH / float(int(b.count));
     // Averages times the step sum to 1/2.
-    float left = 0.5f * u / step;
+    float left = u * (0.5f * GLINT_BINS_PER_UNIT / (GLINT_ROOT * GLINT_ROOT));
     uint k = 0u;
-    float mass = table_float(table, b.base);
-    while (k + 1u < b.count && left >= mass) {
+    uint first = glint_at(row, w.width, 1u);
+    uvec2 words = table_uint2(table, first);
+    float mass = wider ? glint_wide(words.x) : glint_narrow(words.x);
+    while (k + 1u < GLINT_BINS && left >= mass) {
         left -= mass;
         ++k;
-        mass = table_float(table, b.base + k);
+        words = table_uint2(table, first + k);
+        mass = wider ? glint_wide(words.x) : glint_narrow(words.x);
     }
     float v = clamp(left / max(mass, 1.0e-30f), 0.0f, 1.0f);
     float tent = v < 0.5f ? sqrt(2.0f * v) - 1.0f : 1.0f - sqrt(2.0f - 2.0f * v);
-    float x = abs((float(int(k)) + 0.5f + tent) * step);
+    float x = abs((float(int(k)) + 0.5f + tent) * (1.0f / GLINT_BINS_PER_UNIT));
     return side * min(x, 2.0f * GLINT_REACH - x);
 }
 

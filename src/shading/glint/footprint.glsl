@@ -13,36 +13,38 @@
 // pictures flicker by a tenth and more.
 #define GLINT_FILTER 0.7f
 
-// The quadric matrix of the ellipse, in the units of uv.
+// The matrix of the ellipse, in the units of uv.
 struct GlintFootprint {
     float xx;
     float xy;
     float yy;
-    float minor;  // half of its shorter axis
+    float minor2;  // the square of half of its shorter axis
 };
 
 GlintFootprint glint_footprint(vec2 d0, vec2 d1) {
-    FootprintEllipse e = footprint_ellipse(d0, d1);
+    FootprintSpread s = footprint_spread(d0, d1);
+    float major2 = s.half_sum + s.radius;
+    float minor2 = major2 > 0.0f ? min(s.area * (s.area / major2), major2) : 0.0f;
+    // Cosine and sine of twice the angle of the longer axis.
+    float inv_radius = s.radius > 0.0f ? 1.0f / s.radius : 0.0f;
+    float c = clamp(s.half_difference * inv_radius, -1.0f, 1.0f);
     GlintFootprint f;
-    f.minor = max(e.minor, e.major * (1.0f / GLINT_ANISOTROPY));
-    float minor2 = f.minor * f.minor;
-    float along = e.major * e.major - minor2;
-    f.xx = minor2 + along * e.axis.x * e.axis.x;
-    f.xy = along * e.axis.x * e.axis.y;
-    f.yy = minor2 + along * e.axis.y * e.axis.y;
+    f.minor2 = max(minor2, major2 * (1.0f / (GLINT_ANISOTROPY * GLINT_ANISOTROPY)));
+    float along = 0.5f * (major2 - f.minor2);
+    f.xx = f.minor2 + along * (1.0f + c);
+    f.xy = along * clamp(s.xy * inv_radius, -1.0f, 1.0f);
+    f.yy = f.minor2 + along * (1.0f - c);
     return f;
 }
 
 // The ellipse over the cells of one level, in cells, whose centres lie on integers.
 struct Ellipse {
     vec2 centre;
-    float a;       // r^2 = a x^2 + b x y + c y^2, 1 on its edge
-    float b;
-    float c;
-    float skew;    // x of the middle of its rows, by y
-    float width;   // half of the row through the centre
-    float height;  // half
-    int first;     // y of the first row
+    float skew;     // x of the middle of its rows, by y
+    float width2;   // the square of half of the row through the centre
+    float inv_width2;
+    float inv_height2;  // of half of its height
+    int first;      // y of the first row
     int last;
 };
 
@@ -59,18 +61,16 @@ Ellipse ellipse_of(IN(GlintFootprint) f, vec2 uv, float cells, float filter_area
     e.centre = vec2(clamp(uv.x * cells, -4.0e6f, 4.0e6f) - 0.5f,
                     clamp(uv.y * cells, -4.0e6f, 4.0e6f) - 0.5f);
     float area = filter_area * cells * cells;
-    float xx = f.xx * area + filter_area;
     float xy = f.xy * area;
-    float yy = f.yy * area + filter_area;
-    float det = xx * yy - xy * xy;
-    e.a = yy / det;
-    e.b = -2.0f * xy / det;
-    e.c = xx / det;
-    e.skew = xy / yy;
-    e.width = sqrt(det / yy);
-    e.height = sqrt(yy);
-    e.first = ellipse_floor(e.centre.y - e.height) + 1;
-    e.last = ellipse_floor(e.centre.y + e.height);
+    float height2 = f.yy * area + filter_area;
+    e.inv_height2 = 1.0f / height2;
+    e.skew = xy * e.inv_height2;
+    // The determinant over the height; never less than the filter's own, but for rounding.
+    e.width2 = max(f.xx * area + filter_area - xy * e.skew, filter_area);
+    e.inv_width2 = 1.0f / e.width2;
+    float height = sqrt(height2);
+    e.first = ellipse_floor(e.centre.y - height) + 1;
+    e.last = ellipse_floor(e.centre.y + height);
     return e;
 }
 
@@ -86,8 +86,7 @@ struct EllipseRow {
 
 IN_LOOPS EllipseRow ellipse_row(IN(Ellipse) e, int y) {
     float ty = float(y) - e.centre.y;
-    float reach = ty / e.height;
-    float half_width = e.width * sqrt(max(1.0f - reach * reach, 0.0f));
+    float half_width = sqrt(max(e.width2 - e.width2 * e.inv_height2 * ty * ty, 0.0f));
     float middle = e.centre.x + e.skew * ty;
     EllipseRow row;
     row.start = ellipse_floor(middle - half_width) + 1;
@@ -95,12 +94,24 @@ IN_LOOPS EllipseRow ellipse_row(IN(Ellipse) e, int y) {
     return row;
 }
 
+// One of two, in loops: all but the first and last rows.
+IN_LOOPS Ellipse ellipse_either(IN(Ellipse) a, IN(Ellipse) b, bool second) {
+    Ellipse e = a;
+    e.centre.x = second ? b.centre.x : a.centre.x;
+    e.centre.y = second ? b.centre.y : a.centre.y;
+    e.skew = second ? b.skew : a.skew;
+    e.width2 = second ? b.width2 : a.width2;
+    e.inv_width2 = second ? b.inv_width2 : a.inv_width2;
+    e.inv_height2 = second ? b.inv_height2 : a.inv_height2;
+    return e;
+}
+
 // exp(-2 r^2) - exp(-2) inside, 0 outside, as a polynomial with an error of 8e-4, so that
-// compilers make vectors of it.
+// compilers make vectors of it. r^2 by the completed square: r is 1 on the edge.
 IN_LOOPS float ellipse_weight(IN(Ellipse) e, int x, int y) {
-    float tx = float(x) - e.centre.x;
     float ty = float(y) - e.centre.y;
-    float r2 = e.a * tx * tx + e.b * tx * ty + e.c * ty * ty;
+    float tx = float(x) - e.centre.x - e.skew * ty;
+    float r2 = e.inv_width2 * tx * tx + e.inv_height2 * ty * ty;
     float q = 0.726143578f - 0.210595288f * r2;
     return max(1.0f - r2, 0.0f) * (0.863861068f + r2 * (-1.109311026f + r2 * q));
 }

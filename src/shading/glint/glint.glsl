@@ -13,17 +13,24 @@
 #include "shading/glint/cells.glsl"
 #include "shading/glint/description.glsl"
 #include "shading/glint/footprint.glsl"
+#include "shading/powers.glsl"
 
 // The pyramid under a footprint.
 struct GlintPyramid {
     GlintFootprint footprint;
     float base;    // log2 of the side of cells of level 0, in units of uv
-    float level;   // between which two levels, >= 0
+    float level;   // the lower of two levels, a whole number >= 0
+    float share;   // of the next one
     float facets;  // logarithm to base 4 of the facets in a cell of level 0
     float spread;
     float area;
+    float log4_area;
     bool smooth_only;  // nothing but the Gaussian
 };
+
+float glint_cells_per_unit(IN(GlintPyramid) p, int level) {
+    return exp2_whole(-(p.base + float(level)));
+}
 
 GlintPyramid glint_pyramid(IN(Glint) g) {
     GlintPyramid p;
@@ -32,13 +39,18 @@ GlintPyramid glint_pyramid(IN(Glint) g) {
         g.log_density, -GLINT_LARGEST_LOG_DENSITY, GLINT_LARGEST_LOG_DENSITY);
     p.area = glint_limited(g.area, 0.0f, 1.0f);
     p.base = floor(-log4_density);
-    p.level = max(log2(max(p.footprint.minor, 1.0e-30f)) - p.base, 0.0f);
+    // The level from the exponent and how far it is to the next from the logarithm: cells need not
+    // wait for that.
+    float minor2 = max(p.footprint.minor2, 1.0e-37f);
+    p.level = max(float(log4_floor(minor2)) - p.base, 0.0f);
+    float cells = glint_cells_per_unit(p, int(p.level));
+    p.share = clamp(0.5f * log2_above_0(max(minor2 * cells * cells, 1.0e-30f)), 0.0f, 1.0f);
     p.facets = log4_density + p.base;
     p.spread = glint_limited(g.jitter, 0.0f, GLINT_LARGEST_JITTER) * 3.46410162f;
+    p.log4_area = 0.5f * log2_above_0(max(p.area, GLINT_LEAST_AREA));
     // As many facets in every cell as the last level stands for, or numbers that are none.
-    float fewest = p.facets + floor(p.level) - 0.5f * p.spread
-                 + 0.5f * log2(max(p.area, GLINT_LEAST_AREA));
-    bool places = abs(g.uv.x) < 1.0e30f && abs(g.uv.y) < 1.0e30f && p.footprint.minor < 1.0e15f;
+    float fewest = p.facets + p.level - 0.5f * p.spread + p.log4_area;
+    bool places = abs(g.uv.x) < 1.0e30f && abs(g.uv.y) < 1.0e30f && p.footprint.minor2 < 1.0e30f;
     p.smooth_only = !(places && fewest < float(GLINT_LEVELS) && g.log_density == g.log_density)
                  || p.area < GLINT_LEAST_AREA || !table_exists(g.dictionary);
     return p;
@@ -51,17 +63,13 @@ GlintLevel glint_level(IN(GlintPyramid) p, int level, uint seed) {
     // Facets of the share: a cell with less than one has them with that probability, but then a
     // larger share of it; the mean share is `area` either way.
     float cell = p.facets + float(level);
-    float expected = exp2(2.0f * min(cell, 16.0f)) * p.area;
+    float expected = exp2_within_126(2.0f * min(cell, 16.0f)) * p.area;
     l.occupied = clamp(expected, p.area, 1.0f);
     l.share = p.area / l.occupied;
-    l.facets = max(cell + 0.5f * log2(p.area), 0.0f);
+    l.facets = max(cell + p.log4_area, 0.0f);
     l.spread = p.spread;
     l.seed = seed;
     return l;
-}
-
-float glint_cells_per_unit(IN(GlintPyramid) p, int level) {
-    return exp2(-(p.base + float(level)));
 }
 
 // The two levels of a footprint.
@@ -81,104 +89,140 @@ GlintSteps glint_steps(IN(GlintPyramid) p, vec2 uv, uint seed) {
     s.low_cells = ellipse_of(p.footprint, uv, glint_cells_per_unit(p, level), GLINT_FILTER);
     s.high_cells = ellipse_of(p.footprint, uv, glint_cells_per_unit(p, level + 1),
                               GLINT_FILTER);
-    s.share = p.level - float(level);
+    s.share = p.share;
     return s;
 }
 
-// Cells that one turn of the loops below takes, and the most that a footprint has of them.
-#define GLINT_BLOCK 16
-#define GLINT_MOST_CELLS 112
+// Cells that one turn of the loop below takes, and the most rows and cells of a row that a
+// footprint has, by GLINT_ANISOTROPY.
+#define GLINT_BLOCK 8
+#define GLINT_MOST_ROWS 24
+#define GLINT_LONGEST_ROW 16
 
 // The mean over the cells of both levels, weighted within each and then by the levels' shares:
-// rows of cells, then cells in blocks, in three steps each: hashes, look-ups along both axes, sums.
-// All are loops that compilers turn into vectors. Out of line: then there is one copy, and
-// compilers have no reason to leave a part of it scalar.
+// rows of cells, then cells in blocks, in three steps each: hashes and where both axes are looked
+// up, look-ups, sums. All but the look-ups are loops that compilers turn into vectors; what these
+// choose from must be local, as a reference would be a branch. Out of line: then there is one copy,
+// and compilers have no reason to leave a part of it scalar.
 OUT_OF_LINE float glint_mean_of_cells(IN(GlintQuery) q, IN(GlintSteps) s) {
-    int lefts[GLINT_MOST_CELLS + GLINT_BLOCK];  // x less the number of the cell: one for a row
-    int ys[GLINT_MOST_CELLS + GLINT_BLOCK];
+    GlintLevel low_level = s.low;
+    GlintLevel high_level = s.high;
+    Ellipse low_cells = s.low_cells;
+    Ellipse high_cells = s.high_cells;
+    int low_rows = ellipse_rows(low_cells);
+    int rows = min(low_rows + (s.share > 0.0f ? ellipse_rows(high_cells) : 0), GLINT_MOST_ROWS);
+    int high_first = high_cells.first - low_rows;
+    // Of each cell the number of its row in 5 bits, and above them its x less its own number, which
+    // is the same for all of a row.
+    int places[GLINT_MOST_ROWS * GLINT_LONGEST_ROW + GLINT_BLOCK];
     int count = 0;
-    int low_count = 0;
-    int low_rows = ellipse_rows(s.low_cells);
-    int rows_left = low_rows + (s.share > 0.0f ? ellipse_rows(s.high_cells) : 0);
-    for (int first = 0; first < rows_left; first += 8) {
+    for (int first = 0; first < rows; first += 8) {
         int starts[8];
-        int ends[8];
+        int lengths[8];
         for (int i = 0; i < 8; ++i) {
             int r = first + i;
-            int on_high = int(r >= low_rows);
-            EllipseRow row = ellipse_row(s.low_cells, s.low_cells.first + r);
-            EllipseRow high = ellipse_row(s.high_cells, s.high_cells.first + r - low_rows);
-            starts[i] = row.start + on_high * (high.start - row.start);
-            ends[i] = row.end + on_high * (high.end - row.end);
+            bool coarse = r >= low_rows;
+            EllipseRow row = ellipse_row(ellipse_either(low_cells, high_cells, coarse),
+                                         r + (coarse ? high_first : low_cells.first));
+            starts[i] = (row.start << 5u) + r;
+            lengths[i] = min(max(row.end - row.start + 1, 0), GLINT_LONGEST_ROW) * int(r < rows);
         }
-        for (int i = 0; i < min(8, rows_left - first); ++i) {
-            int r = first + i;
-            low_count = r == low_rows ? count : low_count;
-            int y = r < low_rows ? s.low_cells.first + r : s.high_cells.first + r - low_rows;
-            int left = starts[i] - count;
-            int end = min(count + ends[i] - starts[i] + 1, GLINT_MOST_CELLS);
-            for (; count < end; count += 8) {
-                for (int k = 0; k < 8; ++k) {
-                    lefts[count + k] = left;
-                    ys[count + k] = y;
+        // More than a row has is written over by the next.
+        for (int i = 0; i < 8; ++i) {
+            int place = starts[i] - (count << 5u);
+            for (int k = 0; k < 8; ++k) {
+                places[count + k] = place;
+            }
+            if (lengths[i] > 8) {
+                for (int k = 8; k < GLINT_LONGEST_ROW; ++k) {
+                    places[count + k] = place;
                 }
             }
-            count = end;
+            count += lengths[i];
         }
     }
-    low_count = rows_left == low_rows ? count : low_count;
     for (int k = 0; k < GLINT_BLOCK; ++k) {
-        lefts[count + k] = lefts[0] - count;
-        ys[count + k] = ys[0];
+        places[count + k] = places[0];
     }
-    float sum_low = 0.0f;
-    float sum_high = 0.0f;
-    float all_low = 0.0f;
-    float all_high = 0.0f;
+    float trace = dot(q.k0, q.k0) + dot(q.k1, q.k1);  // along any two axes at a right angle
+    float scale = q.scale;
+    float all_low[GLINT_BLOCK];  // weights, a sum for each place in a block
+    float all_high[GLINT_BLOCK];
+    float sum_low[GLINT_BLOCK];  // weighted
+    float sum_high[GLINT_BLOCK];
+    for (int i = 0; i < GLINT_BLOCK; ++i) {
+        all_low[i] = 0.0f;
+        all_high[i] = 0.0f;
+        sum_low[i] = 0.0f;
+        sum_high[i] = 0.0f;
+    }
     for (int first = 0; first < count; first += GLINT_BLOCK) {
         float low[GLINT_BLOCK];
         float high[GLINT_BLOCK];
         float shares[GLINT_BLOCK];
-        uint rows[2 * GLINT_BLOCK];
-        float places[2 * GLINT_BLOCK];
-        float kernels[2 * GLINT_BLOCK];
+        float scales[GLINT_BLOCK];
+        uint at_x[GLINT_BLOCK];
+        uint at_y[GLINT_BLOCK];
+        float between_x[GLINT_BLOCK];
+        float between_y[GLINT_BLOCK];
+        float wider_x[GLINT_BLOCK];
+        float wider_y[GLINT_BLOCK];
         for (int i = 0; i < GLINT_BLOCK; ++i) {
             int k = first + i;
-            int x = lefts[k] + k;
-            int y = ys[k];
-            int coarse = int(k >= low_count);
-            low[i] = ellipse_weight(s.low_cells, x, y) * float(1 - coarse);
-            high[i] = ellipse_weight(s.high_cells, x, y) * float(coarse * int(k < count));
-            GlintCell c = glint_cell(glint_level_between(s.low, s.high, float(coarse)), x, y);
+            int row = places[k] & 31;
+            bool coarse = row >= low_rows;
+            int x = (places[k] >> 5u) + k;
+            int y = row + (coarse ? high_first : low_cells.first);
+            float weight = ellipse_weight(ellipse_either(low_cells, high_cells, coarse), x, y);
+            weight = k < count ? weight : 0.0f;
+            low[i] = coarse ? 0.0f : weight;
+            high[i] = coarse ? weight : 0.0f;
+            GlintCell c = glint_cell(glint_level_either(low_level, high_level, coarse), x, y);
             shares[i] = c.share;
-            rows[i] = c.row_x;
-            rows[i + GLINT_BLOCK] = c.row_y;
-            places[i] = abs(c.turn.c * q.slope.x + c.turn.s * q.slope.y);
-            places[i + GLINT_BLOCK] = abs(c.turn.c * q.slope.y - c.turn.s * q.slope.x);
-            kernels[i] = glint_kernel_along(q, c.turn.c, c.turn.s);
-            kernels[i + GLINT_BLOCK] = glint_kernel_along(q, -c.turn.s, c.turn.c);
+            float slope_x = abs(c.turn.c * q.slope.x + c.turn.s * q.slope.y);
+            float slope_y = abs(c.turn.c * q.slope.y - c.turn.s * q.slope.x);
+            scales[i] = max(slope_x, slope_y) < GLINT_REACH ? scale : 0.0f;
+            float kernel_x = glint_kernel_along(q, c.turn.c, c.turn.s);
+            GlintPlace place_x = glint_place(slope_x);
+            GlintPlace place_y = glint_place(slope_y);
+            GlintWidth width_x = glint_width(kernel_x);
+            GlintWidth width_y = glint_width(trace - kernel_x);
+            at_x[i] = glint_at(c.row_x, width_x.width, place_x.bin);
+            at_y[i] = glint_at(c.row_y, width_y.width, place_y.bin);
+            between_x[i] = place_x.t;
+            between_y[i] = place_y.t;
+            wider_x[i] = width_x.share;
+            wider_y[i] = width_y.share;
         }
-        float densities[2 * GLINT_BLOCK];
-        if (q.blurred) {
-            for (int i = 0; i < 2 * GLINT_BLOCK; ++i) {
-                densities[i] = glint_marginal(q.table, rows[i], glint_width(kernels[i]), places[i]);
-            }
-        } else {
-            for (int i = 0; i < 2 * GLINT_BLOCK; ++i) {
-                densities[i] = glint_marginal_sharp(q.table, rows[i], places[i]);
-            }
+        uvec2 words_x[GLINT_BLOCK];
+        uvec2 words_y[GLINT_BLOCK];
+        for (int i = 0; i < GLINT_BLOCK; ++i) {
+            words_x[i] = table_uint2(q.table, at_x[i]);
+            words_y[i] = table_uint2(q.table, at_y[i]);
         }
         for (int i = 0; i < GLINT_BLOCK; ++i) {
-            float facets = densities[i] * densities[i + GLINT_BLOCK] * q.scale;
+            float facets = scales[i]
+                         * glint_read(words_x[i].x, words_x[i].y, between_x[i], wider_x[i])
+                         * glint_read(words_y[i].x, words_y[i].y, between_y[i], wider_y[i]);
             float value = q.gaussian + shares[i] * (facets - q.gaussian);
-            sum_low += low[i] * value;
-            sum_high += high[i] * value;
-            all_low += low[i];
-            all_high += high[i];
+            all_low[i] += low[i];
+            all_high[i] += high[i];
+            sum_low[i] += low[i] * value;
+            sum_high[i] += high[i] * value;
         }
     }
-    float mean = sum_low / all_low;
-    return s.share > 0.0f ? mean + s.share * (sum_high / all_high - mean) : mean;
+    // By halves: sums that wait for each other take longer.
+    for (int i = 0; i < GLINT_BLOCK / 2; ++i) {
+        all_low[i] += all_low[i + GLINT_BLOCK / 2];
+        all_high[i] += all_high[i + GLINT_BLOCK / 2];
+        sum_low[i] += sum_low[i + GLINT_BLOCK / 2];
+        sum_high[i] += sum_high[i + GLINT_BLOCK / 2];
+    }
+    float mean = ((sum_low[0] + sum_low[1]) + (sum_low[2] + sum_low[3]))
+               / ((all_low[0] + all_low[1]) + (all_low[2] + all_low[3]));
+    float high_mean = ((sum_high[0] + sum_high[1]) + (sum_high[2] + sum_high[3]))
+                    / ((all_high[0] + all_high[1]) + (all_high[2] + all_high[3]));
+    return s.share > 0.0f ? mean + s.share * (high_mean - mean) : mean;
 }
 
 GlintQuery glint_query(IN(Glint) g, IN(Slopes) d, IN(Whitening) w, vec2 s) {
@@ -188,8 +232,7 @@ GlintQuery glint_query(IN(Glint) g, IN(Slopes) d, IN(Whitening) w, vec2 s) {
     float deviation = sqrt(NDF_PIXEL_VARIANCE);
     q.k0 = whitened(w, g.k0 * deviation);
     q.k1 = whitened(w, g.k1 * deviation);
-    q.blurred = !(g.k0 == vec2(0.0f, 0.0f) && g.k1 == vec2(0.0f, 0.0f));
-    q.scale = w.xx * w.yy;
+    q.scale = w.xx * w.yy * (GLINT_ROOT * GLINT_ROOT * GLINT_ROOT * GLINT_ROOT);
     q.gaussian = slopes_p22(d, s);
     return q;
 }

@@ -24,7 +24,7 @@ FacetTrees zirr_cells(IN(Glint) g, IN(CountingFootprint) f) {
     for (uint i = 0u; i < 16u; ++i) {
         vec2 up = vec2(float((i >> 2u) & 1u), float(i >> 3u));
         vec2 right = vec2(float(i & 1u), float((i >> 1u) & 1u));
-        vec2 size = vec2(counting_power_of_two(low.x + up.x), counting_power_of_two(low.y + up.y));
+        vec2 size = vec2(exp2_whole(low.x + up.x), exp2_whole(low.y + up.y));
         vec2 at = f.uv / size - vec2(0.5f);
         vec2 base = clamp(floor(at), vec2(-1.0e9f), vec2(1.0e9f));
         vec2 w = clamp(at - base, vec2(0.0f), vec2(1.0f));

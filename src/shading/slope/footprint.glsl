@@ -28,19 +28,35 @@ vec2 principal_axis(float half_difference, float xy, float radius) {
     return l > 0.0f ? axis / l : vec2(1.0f, 0.0f);
 }
 
+// The matrix a a^T + b b^T itself: ((half_sum + half_difference, xy), (xy, half_sum -
+// half_difference)) with the eigenvalues half_sum +- radius.
+struct FootprintSpread {
+    float half_sum;
+    float half_difference;
+    float xy;
+    float radius;
+    float area;  // of a and b, the root of the determinant, which does not cancel
+};
+
 // Any input: what is not finite counts as nothing, and nothing is longer than 1e9.
-FootprintEllipse footprint_ellipse(vec2 change_0, vec2 change_1) {
+FootprintSpread footprint_spread(vec2 change_0, vec2 change_1) {
     vec2 a = footprint_bounded2(change_0, 1.0e9f);
     vec2 b = footprint_bounded2(change_1, 1.0e9f);
-    float xy = a.x * a.y + b.x * b.y;
-    float half_sum = 0.5f * (a.x * a.x + b.x * b.x + a.y * a.y + b.y * b.y);
-    float half_difference = 0.5f * (a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y);
-    float radius = sqrt(half_difference * half_difference + xy * xy);
+    FootprintSpread f;
+    f.xy = a.x * a.y + b.x * b.y;
+    f.half_sum = 0.5f * (a.x * a.x + b.x * b.x + a.y * a.y + b.y * b.y);
+    f.half_difference = 0.5f * (a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y);
+    f.radius = sqrt(f.half_difference * f.half_difference + f.xy * f.xy);
+    f.area = abs(a.x * b.y - a.y * b.x);
+    return f;
+}
+
+FootprintEllipse footprint_ellipse(vec2 change_0, vec2 change_1) {
+    FootprintSpread f = footprint_spread(change_0, change_1);
     FootprintEllipse e;
-    e.major = sqrt(half_sum + radius);
-    // The product of the axes is the determinant, which does not cancel.
-    e.minor = e.major > 0.0f ? min(abs(a.x * b.y - a.y * b.x) / e.major, e.major) : 0.0f;
-    e.axis = principal_axis(half_difference, xy, radius);
+    e.major = sqrt(f.half_sum + f.radius);
+    e.minor = e.major > 0.0f ? min(f.area / e.major, e.major) : 0.0f;
+    e.axis = principal_axis(f.half_difference, f.xy, f.radius);
     return e;
 }
 
