@@ -14,16 +14,20 @@ static void require(int fine) {
     if (!fine) exit(1);
 }
 
-/* A light breeze towards the beach, and water that one can see through. */
+/* A light breeze towards the beach, and water to see through, with a little sand in it. */
 static void addSea(GpScene scene) {
     const float absorption[3] = {0.35f, 0.07f, 0.05f};
+    const float scattering[3] = {0.007f, 0.008f, 0.009f};
     GpOceanDesc sea = {0};
     int i;
     sea.wind = 3;
     sea.windDirection = 2.6f;
     sea.fetch = 3000;
     sea.transparent = 1;
-    for (i = 0; i < 3; ++i) sea.absorption[i] = absorption[i];
+    for (i = 0; i < 3; ++i) {
+        sea.absorption[i] = absorption[i];
+        sea.scattering[i] = scattering[i];
+    }
     require(gpSetOcean(scene, &sea) == GP_SUCCESS);
     require(gpSetOceanTime(scene, 4) == GP_SUCCESS);
 }

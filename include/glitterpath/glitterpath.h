@@ -648,13 +648,15 @@ typedef struct GpOceanDesc {
                               256,000 vertices; they grow with its square */
     float absorption[3];   /* of the water, 1/m, >= 0; (0.27, 0.065, 0.03): moderately clear sea */
     float scattering[3];   /* backwards, 1/m, >= 0; (0.0016, 0.002, 0.003). Their ratio gives the
-                              colour that comes back from below */
+                              colour that comes back from below, and to which things in the water
+                              fade */
     float ior;             /* 1.01..3; 0 = 1.333 */
     float foam;            /* 0..1: share of what waves that break make; 1 */
     int32_t transparent;   /* 0: nothing below the surface is seen, and what the water sends back
-                              is diffuse. Not 0: rays go on into the water, which absorbs, and see
-                              what lies there; beyond it is black. Sun and sky light it: path
-                              traced through the waves, in real time as if the water were calm */
+                              is diffuse. Not 0: rays go on into the water, which absorbs and
+                              scatters, and see what lies there, or the same colour where nothing
+                              does. Sun and sky light it: path traced through the waves, in real
+                              time as if the water were calm */
     GpOceanGlints glints;  /* GP_GLINTS_OFF */
     float glintDensity;    /* facets a square metre of the water at rest, 1..1e12; 0 = 1e6 */
     GpOceanMasking masking;/* GP_MASKING_V_CAVITY */
@@ -672,8 +674,9 @@ typedef struct GpOceanSample {
  * curvature of the earth, out to 5,000 times the camera's height above it (at least 5 km), where
  * it is 0.2 milliradians below the horizontal. No GpInstance stands for it, and it is not in the
  * bounds of the scene. Frames show it as one more instance, whose motion they know. A camera below
- * the surface looks through the water, transparent or not, which absorbs, and out of it; frames of
- * GP_MODE_LOCAL and of GP_SHADING_DIFFUSE show no water there but its surface. */
+ * the surface looks through the water, transparent or not, and out of it. What water scatters is
+ * light of suns and sky, as if nothing cast a shadow there and the surface were flat. Frames of
+ * GP_MODE_LOCAL and of GP_SHADING_DIFFUSE show no water but its surface. */
 GP_API GpError gpSetOcean(GpScene scene, const GpOceanDesc* desc);
 /* Where the waves are after so many seconds, -1e6..1e6: the same at the same time, whatever time
  * was before. GP_ERROR_INVALID_OPERATION where the scene has no sea. */

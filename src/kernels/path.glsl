@@ -10,6 +10,7 @@
 #include "kernels/leaving_ray.glsl"
 #include "kernels/light_choice.glsl"
 #include "kernels/material.glsl"
+#include "kernels/path_state.glsl"
 #include "kernels/shadowed_light.glsl"
 #include "kernels/sky.glsl"
 #include "kernels/surface.glsl"
@@ -17,55 +18,6 @@
 #include "shading/medium.glsl"
 #include "shading/sampling/mis.glsl"
 #include "shading/sampling/sampler.glsl"
-
-// The light that a path brings to its pixel, by how often it was reflected.
-struct PathLight {
-    vec3 emission;
-    vec3 direct;
-    vec3 indirect;
-};
-
-// What the first surface leaves for guides and layers.
-struct PathGuides {
-    vec3 albedo;
-    float coverage;
-    vec3 normal;
-    float depth;      // metres along the ray
-    float roughness;
-    float metallic;
-    uint instance;    // 1 + index, 0: nothing
-};
-
-// The vertex that a ray leaves, as far as the weight of what it meets depends on it.
-struct PathVertex {
-    vec3 position;
-    float pdf;          // of the ray's direction; 0: not to be weighted (camera, mirror-like)
-    vec3 normal;        // of the surface; the zero vector where light from both sides counts
-    LightGroups groups; // what its shadow ray was chosen among
-};
-
-// Bits of PathState::water.
-#define PATH_IN_WATER 1u     // the sea's
-#define PATH_LIT_THROUGH 2u  // the far light that comes down through its surface to the last
-                             // surface has been counted: what goes up there finds none
-
-// A path between two surfaces.
-struct PathState {
-    Ray ray;            // the camera's, or what left the last surface
-    Hit hit;            // what it met
-    RayCone cone;       // at the ray's start
-    Sampler draws;      // at the path's first draw
-    PathVertex from;    // where the ray starts
-    vec3 throughput;
-    float eta_scale;    // radiance is compressed by refraction, and guides are narrower than
-                        // materials; roulette must not see either
-    vec3 attenuation;   // of the medium around, 1/m
-    uint water;         // PATH_ bits
-    uint depth;         // surfaces met so far
-    uint ended;         // 1: light and guides are final, there is no ray
-    PathLight light;
-    PathGuides guides;
-};
 
 // Draws of one surface, in a fixed order: a path's dimensions do not depend on what was drawn
 // before.
@@ -165,13 +117,6 @@ PathGuides no_guides() {
     return g;
 }
 
-// PATH_ bits, of a ray that starts where the sea's water may be.
-void path_set_water(INOUT(PathState) path, uint water) {
-    path.water = water;
-    path.attenuation =
-        (water & PATH_IN_WATER) != 0u ? load_frame().water_attenuation : vec3(0.0f);
-}
-
 // `ray`: the camera's, `cone`: its cone.
 PathState path_begin(Ray ray, RayCone cone, IN(Sampler) draws) {
     PathState path;
@@ -233,7 +178,7 @@ void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(Pat
             path_set_water(path, entering ? PATH_IN_WATER : path.water & PATH_LIT_THROUGH);
         } else {
             path.attenuation = entering ? p.attenuation : vec3(0.0f);
-            if (!entering && path.water != 0u) { path_set_water(path, path.water); }
+            if (path.water != 0u) { path_change_body(path, entering); }
         }
         float eta = entering ? p.bsdf.ior : 1.0f / p.bsdf.ior;
         path.eta_scale *= eta * eta;
@@ -245,6 +190,7 @@ void path_leave(INOUT(PathState) path, IN(Surface) s, IN(ShadingPoint) p, IN(Pat
         if (u_roulette >= survival) { return; }
         path.throughput /= survival;
     }
+    if (path.water != 0u) { path.water = path_water_from(path.water, p.flags); }
     path.from = at;
     path.from.pdf = bsdf_is_specular(p.bsdf) ? 0.0f : b.pdf;
     path.cone =
@@ -264,12 +210,6 @@ PathVertex path_vertex(IN(Surface) s, vec3 wo, bool transmissive) {
     return at;
 }
 
-// Whether no shadow ray can reach what is infinitely far, or none should.
-bool path_sea_hides(uint water, uint material_flags) {
-    if ((material_flags & MATERIAL_SEA) != 0u) { return (water & PATH_LIT_THROUGH) != 0u; }
-    return (water & PATH_IN_WATER) != 0u && (load_frame().water & WATER_BENDS) == 0u;
-}
-
 // How light finds p, on the side that the path comes from.
 Around path_around(uint water, vec3 attenuation, IN(ShadingPoint) p) {
     Around around = around_of(attenuation);
@@ -287,7 +227,7 @@ Around path_around(uint water, vec3 attenuation, IN(ShadingPoint) p) {
 // not be found again.
 uint path_water_behind(uint water, IN(ShadingPoint) p, IN(Around) around) {
     if ((p.flags & MATERIAL_SEA) != 0u) { return water; }
-    return (water & PATH_IN_WATER) | (around.bends != 0u ? PATH_LIT_THROUGH : 0u);
+    return (water & (PATH_IN_WATER | PATH_IN_BODY)) | (around.bends != 0u ? PATH_LIT_THROUGH : 0u);
 }
 
 // The surface that path.hit names: its own light, a shadow ray, the next ray.
@@ -357,6 +297,10 @@ void path_expect(IN(PathState) path) {
 
 // From what the path's ray met to the next ray, or to the end.
 void path_continue(INOUT(PathState) path) {
+    if (path.water != 0u) {
+        path.light =
+            add_light(path.light, path.throughput * path_water_light(path), path.depth);
+    }
     if (path.hit.instance == HIT_NOTHING) {
         // An absorbing medium without an end lets nothing through.
         if (path.attenuation != vec3(0.0f)) {

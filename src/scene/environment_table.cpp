@@ -125,6 +125,7 @@ void makeAliases(const std::vector<double>& weights, double sum, EnvironmentTabl
 // Means over the sphere.
 void measure(const Pixels& image, const std::vector<float>& luminance, EnvironmentTable& table) {
     table.meanLuminance = 0, table.mean = glm::dvec3(0);
+    table.rowMeans.resize(image.height);
     for (uint32_t y = 0; y < image.height; ++y) {
         double row = 0;
         glm::dvec3 rowColor(0);
@@ -138,6 +139,7 @@ void measure(const Pixels& image, const std::vector<float>& luminance, Environme
             0.5 * (std::cos(M_PI * y / image.height) - std::cos(M_PI * (y + 1) / image.height));
         table.meanLuminance += row / image.width * share;
         table.mean += rowColor * (share / image.width);
+        table.rowMeans[y] = glm::vec3(rowColor / double(image.width));
     }
 }
 

@@ -36,6 +36,7 @@ struct EnvironmentTable {
 
     double meanLuminance = 0; // over the sphere, W/(m^2 sr) as luminance
     glm::dvec3 mean{0};       // the same as colour
+    std::vector<glm::vec3> rowMeans;  // of each row of pixels, whose height in the sky is one
 
     bool black() const { return side == 0; }
     float density(uint32_t cell) const;

@@ -75,6 +75,7 @@
 #include "shading/ocean/spectrum.glsl"
 #include "shading/ocean/spreading.glsl"
 #include "shading/ocean/sea_rings.glsl"
+#include "shading/ocean/water_light.glsl"
 #include "shading/glint/glint.glsl"
 #include "shading/glint/facet_tree.glsl"
 #include "shading/glint/counting.glsl"

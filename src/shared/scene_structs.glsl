@@ -306,7 +306,9 @@ struct FrameConstants {
     float water_ior;
     float water_level;         // y of the sea at rest; -FLOAT_MAX: there is none
     float water_guided;        // share of directions that are drawn so
+    float water_stretch;       // metres that light has gone for each metre of depth
     float pad0;
+    vec3 water_radiance;       // below the surface, of what very deep water sends back
     float pad1;
 };
 

@@ -22,10 +22,11 @@ static_assert(sizeof(TriangleCorners) == 88 || sizeof(TriangleCorners) == 96);
 static_assert(sizeof(LightRecord) == 96 && offsetof(LightRecord, cos_outer) == 80);
 static_assert(sizeof(LightTreeNode) == 384 && offsetof(LightTreeNode, parent) == 352);
 static_assert(sizeof(EnvironmentCell) == 8);
-static_assert(sizeof(FrameConstants) == 176 && offsetof(FrameConstants, environment_color) == 48);
+static_assert(sizeof(FrameConstants) == 192 && offsetof(FrameConstants, environment_color) == 48);
 static_assert(offsetof(FrameConstants, background_color) == 96 &&
               offsetof(FrameConstants, sky_viewer) == 112 &&
-              offsetof(FrameConstants, water_attenuation) == 128);
+              offsetof(FrameConstants, water_attenuation) == 128 &&
+              offsetof(FrameConstants, water_radiance) == 176);
 static_assert(sizeof(LocalLightingConstants) == 56 &&
               offsetof(LocalLightingConstants, sky_mean) == 32);
 }  // namespace gp::shared

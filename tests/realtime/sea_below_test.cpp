@@ -93,5 +93,33 @@ TEST(SeaBelow, TheSunOnTheFloorSeenFromBelow) {
     EXPECT_LT(4 * found.sigma.y, 0.05 * expected);
 }
 
+// What the water scatters over a black floor: as a pane, where the ray of the pixel gathers it, and
+// as a rough surface, where the ray that it sends down does.
+TEST(SeaBelow, TheColourOfTheWater) {
+    const glm::vec3 absorption(0.3f, 0.1f, 0.03f), scattering(0.1f, 0.15f, 0.2f);
+    const double depth = 2, zenith = 0.5, pitch = -1.2;
+    for (const float fov : {0.25f, 0.02f}) {
+        Stage stage(realtime());
+        const GpOceanDesc desc = clear(calm(), absorption, scattering);
+        stage.check(gpSetOcean(stage.scene, &desc));
+        addFloor(stage, float(depth), 0);
+        addSun(stage, zenith, 5, 0.00465f);
+        const Frames found = frames(stage, looking(pitch, 3, fov), effort(32), GP_REUSE_NONE);
+        for (int i = 0; i < 3; ++i) {
+            const WaterColumn water =
+                underSun(double(absorption[i]), double(scattering[i]), zenith, 5);
+            const double expected =
+                meanOverPicture(width, height, double(fov), pitch, [&](glm::dvec3 w) {
+                    const double below = refractedCosine(-w.y);
+                    return (1 - fresnel(-w.y)) / (eta * eta) *
+                           water.gathered(0, below, depth / below);
+                });
+            EXPECT_NEAR(found.mean[i], expected, 4 * found.sigma[i] + 0.004 * expected)
+                << fov << ' ' << i;
+            EXPECT_LT(4 * found.sigma[i], 0.05 * expected) << fov << ' ' << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace gp::test

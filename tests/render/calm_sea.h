@@ -93,6 +93,61 @@ inline void addSun(Stage& stage, double zenith, float irradiance, float radius) 
     stage.light(sun);
 }
 
+// The share of light from all sides that enters calm water, and the mean of one over its cosine
+// below; by numbers.
+struct SkyBelow {
+    double through = 0, stretch = 0;
+};
+
+inline SkyBelow whiteSkyBelow() {
+    constexpr int steps = 20000;
+    SkyBelow sky;
+    for (int i = 0; i < steps; ++i) {
+        const double c = (i + 0.5) / steps, share = 2 * c * (1 - fresnel(c)) / steps;
+        sky.through += share, sky.stretch += share / refractedCosine(c);
+    }
+    sky.stretch /= sky.through;
+    return sky;
+}
+
+// What calm water scatters along a ray that goes down by the cosine `down`, from some depth on; by
+// Simpson's rule.
+struct WaterColumn {
+    double loss, radiance, stretch;
+
+    double gathered(double depth, double down, double length) const {
+        constexpr int steps = 200;
+        double sum = 0;
+        for (int i = 0; i <= steps; ++i) {
+            const double s = length * i / steps;
+            const double source = loss * (1 + stretch * std::max(down, 0.0));
+            sum += (i == 0 || i == steps ? 1 : i % 2 ? 4 : 2) * source *
+                   std::exp(-stretch * loss * (depth + down * s) - loss * s);
+        }
+        return radiance * sum * length / (3 * steps);
+    }
+};
+
+// `entering`: irradiance below the surface. All that deep water returns comes out again.
+inline WaterColumn waterColumn(double absorption, double scattering, double entering,
+                               double stretch) {
+    const double returned = 0.33 * scattering / (absorption + scattering) * entering;
+    return {absorption + scattering, returned * eta * eta / (pi * whiteSkyBelow().through),
+            stretch};
+}
+
+inline WaterColumn underWhiteSky(double absorption, double scattering) {
+    const SkyBelow sky = whiteSkyBelow();
+    return waterColumn(absorption, scattering, pi * sky.through, sky.stretch);
+}
+
+inline WaterColumn underSun(double absorption, double scattering, double zenith,
+                            double irradiance) {
+    const double c = std::cos(zenith);
+    return waterColumn(absorption, scattering, irradiance * c * (1 - fresnel(c)),
+                       1 / refractedCosine(c));
+}
+
 // Of a matte floor that calm water covers: what arrives is what the surface lets through, less
 // what the water takes on its way; of what the floor sends up the surface returns a part.
 struct CalmFloor {

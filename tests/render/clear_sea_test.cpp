@@ -14,10 +14,10 @@ constexpr uint32_t width = 24, height = 16;
 constexpr float fov = 0.25f;
 
 TEST(ClearSea, TheSunOnTheFloorOfCalmWater) {
-    const glm::vec3 absorption(0.28f, 0.06f, 0), scattering(0.02f, 0.04f, 0);
+    const glm::vec3 absorption(0.3f, 0.1f, 0);
     for (const CalmFloor& floor : {CalmFloor{2, 0.8, 0.5, 5}, CalmFloor{0.5, 0.3, 1.2, 5}}) {
         Stage stage(bestFullVariant().front());
-        const GpOceanDesc desc = clear(calm(), absorption, scattering);
+        const GpOceanDesc desc = clear(calm(), absorption, glm::vec3(0));
         stage.check(gpSetOcean(stage.scene, &desc));
         addFloor(stage, float(floor.depth), float(floor.albedo));
         addSun(stage, floor.zenith, float(floor.irradiance), 0.00465f);
@@ -27,7 +27,7 @@ TEST(ClearSea, TheSunOnTheFloorOfCalmWater) {
         glm::dvec3 expected;
         for (int c = 0; c < 3; ++c)
             expected[c] = meanOverPicture(width, height, fov, pitch, [&](glm::dvec3 w) {
-                return floor.radiance(-w.y, double(absorption[c] + scattering[c]));
+                return floor.radiance(-w.y, double(absorption[c]));
             });
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(picture.mean()[c], expected[c], 4 * picture.sigma()[c])
@@ -94,7 +94,8 @@ TEST(ClearSea, TheSunThroughWavesIsThatOfAnUnguidedLamp) {
 // ------------------------------------------------------------------------------- from below
 
 // Total reflection begins where the sine is one over the index; inside of that circle all of the
-// sky is seen, brighter by the index' square.
+// sky is seen, brighter by the index' square. Before both is what the water scatters, and what it
+// sends up from the deep is mirrored.
 TEST(ClearSea, SnellsWindow) {
     constexpr uint32_t size = 96;
     constexpr float wide = 2.1f;
@@ -119,9 +120,12 @@ TEST(ClearSea, SnellsWindow) {
         glm::dvec3 expected;
         for (int c = 0; c < 3; ++c) {
             const double loss = double(absorption[c] + scattering[c]);
+            const WaterColumn water = underWhiteSky(double(absorption[c]), double(scattering[c]));
             expected[c] = meanOverPicture(size, size, double(wide), up, [&](glm::dvec3 w) {
                 // From outside the sky is bright to the very horizon: 1 - F there is all below.
-                return (1 - fresnelFromBelow(w.y)) * eta * eta * std::exp(-loss * depth / w.y);
+                const double f = fresnelFromBelow(w.y), s = depth / w.y;
+                return water.gathered(depth, -w.y, s) +
+                       ((1 - f) * eta * eta + f * water.radiance) * std::exp(-loss * s);
             });
             // Facets of 4 milliradians, the cone of a pixel, soften the circle's edge.
             EXPECT_NEAR(picture.mean()[c], expected[c],

@@ -14,6 +14,7 @@
 #include "scene/bsdf_settings.h"
 #include "scene/sea.h"
 #include "scene/sky_pyramid.h"
+#include "scene/water_light.h"
 #include "shading/shading.h"
 
 namespace gp::cpu {
@@ -105,6 +106,11 @@ static void setWater(shared::FrameConstants& f, const SceneView& view, const Fra
     f.water_var_x = wider * waves.xx + least, f.water_var_y = wider * waves.yy + least;
     f.water_cov = wider * waves.xy;
     f.water_guided = view.directionalLights ? 0.5f : 0.0f;
+    const EnvironmentView& sky = view.environment;
+    const WaterLight light =
+        waterLight(sea, view.lights, view.directionalLights,
+                   {sky.rowMeans, sky.rowMeans ? sky.height : 0, view.environmentColor});
+    f.water_radiance = light.radiance, f.water_stretch = light.stretch;
 }
 
 shared::FrameConstants frameConstants(const SceneView& view, const FramePlan& plan) {

@@ -235,7 +235,8 @@ void showEnvironment(SceneView& view, const EnvironmentTable* t, glm::vec3 color
     view.environment = {};
     if (t && !t->black())
         view.environment = {t->texels.data(), t->cells.data(), t->densities.data(), t->width,
-                            t->height, t->side, t->texelScale, t->densityScale};
+                            t->height, t->side, t->texelScale, t->densityScale,
+                            t->rowMeans.data()};
 }
 
 static SeaSlopes seaSlopes(const Sea& sea, glm::vec2 rest, glm::vec2 d0, glm::vec2 d1) {

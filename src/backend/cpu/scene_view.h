@@ -55,6 +55,7 @@ struct EnvironmentView {
     const uint16_t* densities;
     uint32_t width, height, side;
     float texelScale, densityScale;
+    const glm::vec3* rowMeans;  // null: uniform
 };
 
 // SkyPyramid of scene/sky_pyramid.h.

@@ -150,6 +150,7 @@ void realtime_primary(ivec2 pixel, Ray ray, Hit hit) {
     seen.emission = vec3(0.0f);
     seen.mirrors = 0u;
     while (path.hit.instance < HIT_LIGHT) {
+        if (path.water != 0u) { seen.emission += path.throughput * path_water_light(path); }
         path.throughput *= medium_transmittance(path.attenuation, path.hit.t);
         path.cone = ray_cone_propagate(path.cone, path.hit.t);
         LET_REF(MaterialRecord) material =
@@ -169,6 +170,7 @@ void realtime_primary(ivec2 pixel, Ray ray, Hit hit) {
         }
         path.hit = trace_closest(path.ray);
     }
+    if (path.water != 0u) { seen.emission += path.throughput * path_water_light(path); }
     float coverage = seen.mirrors > 0u ? 1.0f : 0.0f;
     if (path.hit.instance == HIT_NOTHING) {
         vec3 left = medium_transmittance(path.attenuation, FLOAT_MAX);
