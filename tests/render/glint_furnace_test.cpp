@@ -89,8 +89,6 @@ TEST_P(GlintFurnace, LayersLetNoLightOutThatDidNotComeIn) {
         EXPECT_LT(seen.sigma, 0.003) << body.name << ": too few samples";
         EXPECT_LT(seen.mean, 1 + tolerance) << body.name;
         EXPECT_GT(seen.mean, 1 - body.lost - tolerance) << body.name;
-        if (std::getenv("GP_PRINT"))
-            printf("%s: %.4f +- %.4f\n", body.name, seen.mean, seen.sigma);
     }
 }
 

@@ -132,6 +132,8 @@ TEST(GlintTextures, LayersReadTheirs) {
         Look textured, plain, other;
         textured.texture = constant;
         textured.layers = row[0], plain.layers = row[1], other.layers = row[2];
+        // A film on what is white is white.
+        if (&row != cases) textured.color = plain.color = other.color = 0.3;
         const Picture a = pictureOf(textured, false), b = pictureOf(plain, false);
         EXPECT_NEAR(a.mean().x / b.mean().x, 1, 2e-3) << row[0];
         EXPECT_NEAR(a.mean().z / b.mean().z, 1, 2e-3) << row[0];

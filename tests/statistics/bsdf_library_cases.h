@@ -180,7 +180,7 @@ const LibraryCase libraryCases[] = {
      "coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3 mean_slope_x=0.3 mean_slope_y=-0.2",
      BSDF_CONSERVING},
     {"glint", "layered_solid", "method=smooth metallic=0.2 transmission=0.6 thin=false alpha_x=0.3 "
-     "alpha_y=0.15 coat=0.6 coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3 iridescence=0.4",
+     "alpha_y=0.15 coat=0.6 coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3",
      BSDF_CONSERVING},
     {"glint", "layered_sheet", "method=smooth metallic=0.2 transmission=0.6 alpha_x=0.3 "
      "alpha_y=0.15 coat=0.6 coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3 "

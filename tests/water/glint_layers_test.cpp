@@ -75,11 +75,8 @@ TEST(GlintLayers, WhiteStaysNearlyWhite) {
                     if (method == GLINT_DICTIONARY && z != 0.6f) continue;
                     const BsdfParams m = facets(0.2f, metallic, l, method);
                     const Returned r = furnace(m, viewAt(z));
-                    EXPECT_LT(r.mean, 1.0 + 4 * r.error + 0.012) << l.name << metallic << z;
-                    EXPECT_GT(r.mean, 0.8) << l.name << metallic << z;
-                    if (std::getenv("GP_PRINT"))
-                        printf("%s %g %u %g: %.4f +- %.4f\n", l.name, double(metallic), method,
-                               double(z), r.mean, r.error);
+                    EXPECT_LT(r.mean, 1.0 + 4 * r.error + 0.002) << l.name << metallic << z;
+                    EXPECT_GT(r.mean, 0.9) << l.name << metallic << z;
                 }
 }
 
@@ -184,9 +181,10 @@ TEST(GlintLayers, ACoatMirrorsTheDisc) {
             sum += f * TWO_PI * double(cone) / n, largest = std::max(largest, f);
         }
         const double albedo = 1.0 - double(coat_through(m, wo));
-        EXPECT_NEAR(sum, albedo, 0.03 * albedo) << alpha;
+        // The fit of GGX's albedo is off by up to 0.006.
+        EXPECT_NEAR(sum, albedo, alpha < 0.005f ? 0.03 * albedo : 0.006) << alpha;
         // No brighter than the disc itself in a mirror.
-        EXPECT_LE(largest, 1.001 * albedo / (3.14159265 * 2 * double(disc)) * 1.1) << alpha;
+        EXPECT_LE(largest, 1.1 * albedo / (TWO_PI * double(disc))) << alpha;
     }
 }
 

@@ -147,7 +147,8 @@ GltfFresnel glint_fresnel(IN(BsdfParams) m, float cos_h, float cos_t, float eta)
         if (m.iridescence > 0.0f && !lost) {
             vec3 film = gltf_film(m, gltf_dielectric_f0(m), cos_outside);
             mirrored = mix(mirrored, film, m.iridescence);
-            through = 1.0f - max_component(mirrored);
+            // Not one less that: near grazing angles few digits of it would be left.
+            through = mix(through, 1.0f - max_component(film), m.iridescence);
         }
         // By component: GLM's max of vectors is a call where much else is inlined.
         vec3 sum = f.reflected + clear * (mirrored - schlick);
