@@ -50,6 +50,23 @@ void setFromMaterial(BsdfSettings& s, const Material& m) {
     set(s, "thin", m.thinWalled ? 1.0 : 0.0);
 }
 
+// Roughness squared, as all widths of glTF.
+void setAlpha(BsdfSettings& s, const char* name, float roughness) {
+    const double least = findBsdfParameter(*s.model, name).minimum;
+    set(s, name, std::max(double(roughness) * double(roughness), least));
+}
+
+void setLayers(BsdfSettings& s, const Material& m) {
+    set(s, "coat", double(m.coat));
+    setAlpha(s, "coat_alpha", m.coatRoughness);
+    const glm::vec3& c = m.sheenColor;
+    s.set("sheen_color", fmt::format("{:.9g},{:.9g},{:.9g}", c.x, c.y, c.z));
+    setAlpha(s, "sheen_alpha", m.sheenRoughness);
+    set(s, "iridescence", double(m.iridescence));
+    set(s, "iridescence_ior", double(m.iridescenceIor));
+    set(s, "iridescence_thickness_nm", double(m.iridescenceThicknessMaxNm));
+}
+
 }  // namespace
 
 void Materials::readGlints(const Value& value, Material& m) {
@@ -68,10 +85,10 @@ void Materials::readGlints(const Value& value, Material& m) {
     (*glints)["density"];  // there is none that would suit any size of texture coordinates
     BsdfSettings s(findBsdfModel("glint"));
     setFromMaterial(s, m);
+    setLayers(s, m);
     for (const char* name : glintMembers) setMember(s, *glints, name);
-    if (m.coat > 0 || m.iridescence > 0 || m.sheenColor != glm::vec3(0) || m.specular != 1)
-        m_document.warn(glints->where() +
-                        ": the material's coat, sheen, iridescence and specular are left out");
+    if (m.specular != 1 || m.specularColor != glm::vec3(1))
+        m_document.warn(glints->where() + ": the material's specular is left out");
     MaterialLayer layer;
     layer.bsdf = std::make_shared<const BsdfSettings>(std::move(s));
     m.layers = {layer};

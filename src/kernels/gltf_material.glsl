@@ -1,14 +1,14 @@
 // The glTF material at one point: textures read, everything multiplied out.
 #ifndef GP_KERNELS_GLTF_MATERIAL_GLSL
 #define GP_KERNELS_GLTF_MATERIAL_GLSL
+#include "kernels/layer_textures.glsl"
 #include "kernels/material_slopes.glsl"
 
 float alpha_from_roughness(float roughness) {
     return max(roughness * roughness, BSDF_MIN_ALPHA);
 }
 
-// [KHR_materials_clearcoat, _specular, _sheen, _transmission, _iridescence: each factor times its
-// channel]
+// [KHR_materials_specular: each factor times its channel]
 BsdfParams read_layers(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     if ((m.textures & SLOT_SPECULAR) != 0u) {
         b.specular *= read_slot(m.specular_slot, s, u_lod).w;
@@ -16,33 +16,10 @@ BsdfParams read_layers(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, float 
     if ((m.textures & SLOT_SPECULAR_COLOR) != 0u) {
         b.specular_color *= vec3(read_slot(m.specular_color_slot, s, u_lod));
     }
-    if ((m.textures & SLOT_COAT) != 0u) { b.coat *= read_slot(m.coat_slot, s, u_lod).x; }
-    float coat_roughness = m.coat_roughness;
-    if ((m.textures & SLOT_COAT_ROUGHNESS) != 0u) {
-        coat_roughness *= read_slot(m.coat_roughness_slot, s, u_lod).y;
-    }
-    b.coat_alpha = alpha_from_roughness(coat_roughness);
-    if ((m.textures & SLOT_SHEEN_COLOR) != 0u) {
-        b.sheen_color *= vec3(read_slot(m.sheen_color_slot, s, u_lod));
-    }
-    float sheen_roughness = m.sheen_roughness;
-    if ((m.textures & SLOT_SHEEN_ROUGHNESS) != 0u) {
-        sheen_roughness *= read_slot(m.sheen_roughness_slot, s, u_lod).w;
-    }
-    b.sheen_alpha = alpha_from_roughness(sheen_roughness);
-    if ((m.textures & SLOT_TRANSMISSION) != 0u) {
-        b.transmission *= read_slot(m.transmission_slot, s, u_lod).x;
-    }
-    if ((m.textures & SLOT_IRIDESCENCE) != 0u) {
-        b.iridescence *= read_slot(m.iridescence_slot, s, u_lod).x;
-    }
-    float thickness = 1.0f;
-    if ((m.textures & SLOT_IRIDESCENCE_THICKNESS) != 0u) {
-        thickness = read_slot(m.iridescence_thickness_slot, s, u_lod).y;
-    }
-    b.iridescence_thickness_nm =
-        mix(m.iridescence_thickness_min_nm, m.iridescence_thickness_max_nm, thickness);
-    return b;
+    b.coat_alpha = alpha_from_roughness(m.coat_roughness);
+    b.sheen_alpha = alpha_from_roughness(m.sheen_roughness);
+    b.iridescence_thickness_nm = m.iridescence_thickness_max_nm;
+    return layers_textured(b, m, s, u_lod);
 }
 
 // The tangent turned by the anisotropy's direction, and the two widths.
@@ -99,11 +76,6 @@ ShadingPoint gltf_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base,
     p.emission = emission;
     p.attenuation = m.attenuation;
     p.flags = m.flags;
-    vec3 coat_normal = s.frame.n;
-    if ((m.textures & SLOT_COAT_NORMAL) != 0u) {
-        coat_normal = world_from_local(
-            s.frame, read_normal(m.coat_normal_slot, s, m.coat_normal_scale, u_lod));
-    }
     if (m.anisotropy > 0.0f) { p = apply_anisotropy(p, m, s, u_lod); }
     if (has_slope_maps(m)) {
         SlopedShape shape =
@@ -116,8 +88,7 @@ ShadingPoint gltf_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo, vec3 base,
                  (MATERIAL_SOLID | MATERIAL_TRANSMISSIVE);
     p.frame = face_viewer(s, p.frame, wo, solid);
     if (m.coat > 0.0f) {
-        vec3 c = s.front == 0u && !solid ? -coat_normal : coat_normal;
-        p.bsdf.coat_normal = local_from_world(p.frame, c);
+        p.bsdf.coat_normal = local_from_world(p.frame, coat_normal_of(m, s, solid, u_lod));
     }
     return p;
 }

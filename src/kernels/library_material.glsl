@@ -2,6 +2,7 @@
 // and masks. Resources: load_bsdf, load_bsdf_layer, and those of material_slopes.glsl.
 #ifndef GP_KERNELS_LIBRARY_MATERIAL_GLSL
 #define GP_KERNELS_LIBRARY_MATERIAL_GLSL
+#include "kernels/layer_textures.glsl"
 #include "kernels/material_slopes.glsl"
 #include "shading/bsdf/blend.glsl"
 #include "shading/bsdf/bsdf.glsl"
@@ -90,17 +91,26 @@ BsdfParams glint_params_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN
     return b;
 }
 
-// glTF's textures over the factors of roughness, metal and transmission.
-// [Khronos glTF 2.0, section 3.9.2; KHR_materials_transmission]
+// glTF's textures over the factors of roughness and metal, and over those of the layers.
+// [Khronos glTF 2.0, section 3.9.2]
 BsdfParams glint_textured(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, float u_lod) {
     if ((m.textures & SLOT_METALLIC_ROUGHNESS) != 0u) {
         vec4 texel = read_slot(m.metallic_roughness_slot, s, u_lod);
         b.metallic *= texel.z;
         b = glint_with_roughness(b, texel.y);
     }
-    if ((m.textures & SLOT_TRANSMISSION) != 0u) {
-        b.transmission *= read_slot(m.transmission_slot, s, u_lod).x;
+    return (m.textures & SLOTS_OF_LAYERS) != 0u ? layers_textured(b, m, s, u_lod) : b;
+}
+
+// The coat lies on the surface as it is, not as the maps of what is below it bend it: its normal in
+// the frame of the layers. [KHR_materials_clearcoat, "Normal textures"]
+BsdfParams glint_coat_at(BsdfParams b, IN(MaterialRecord) m, IN(Surface) s, IN(Frame) frame,
+                         float u_lod) {
+    vec3 n = frame.n;
+    if ((m.textures & SLOT_COAT_NORMAL) != 0u) {
+        n = coat_normal_of(m, s, (m.flags & MATERIAL_SOLID) != 0u, u_lod);
     }
+    b.coat_normal = local_from_world(mesosurface_frame(glint_mean(b)), local_from_world(frame, n));
     return b;
 }
 
@@ -128,6 +138,7 @@ OUT_OF_LINE ShadingPoint library_point(IN(MaterialRecord) m, IN(Surface) s, vec3
     p.frame = face_viewer(s, p.frame, wo, (m.flags & MATERIAL_SOLID) != 0u);
     if ((m.flags & MATERIAL_GLINT) != 0u) {
         p.bsdf = glint_params_at(glint_textured(p.bsdf, m, s, u_lod), m, s, p.frame, wo);
+        if (p.bsdf.coat > 0.0f) { p.bsdf = glint_coat_at(p.bsdf, m, s, p.frame, u_lod); }
     }
     return p;
 }

@@ -40,6 +40,31 @@ vec3 base_lit_by_sky(IN(ShadingPoint) p, IN(GlintView) seen) {
            PI * sample_sky_irradiance(world_from_local(p.frame, n));
 }
 
+// Half of GGX's facets have slopes below alpha, and turn light by twice that: the cone in which it
+// comes, steradians.
+float coat_solid_angle(IN(BsdfParams) m) {
+    return min(4.0f * PI * m.coat_alpha * m.coat_alpha, TWO_PI);
+}
+
+// `under`, the light of facets and base, seen through the layers, and what these reflect: the coat
+// as a mirror about its normal of what its lobe covers, the sheen the irradiance.
+OUT_OF_LINE vec3 layers_lit_by_sky(IN(ShadingPoint) p, IN(GlintView) seen, vec3 under) {
+    Layers over = seen.over.layers;
+    Frame frame = mesosurface_frame(seen.g.slopes.mean);
+    vec3 n = frame.n;
+    vec3 mirrored = world_from_local(frame, reflect(-seen.over.o, p.bsdf.coat_normal));
+    if (seen.turned) {
+        n = glint_turned(p.bsdf, n);
+        mirrored = glint_turned(p.bsdf, mirrored);
+    }
+    vec3 sheen = p.bsdf.sheen_color * sheen_albedo_white(seen.over.o.z, p.bsdf.sheen_alpha);
+    vec3 sum = under * over.sheen_through
+             + sheen * sample_sky_irradiance(world_from_local(p.frame, n));
+    if (!(p.bsdf.coat > 0.0f)) { return sum; }
+    return sum * over.coat_through
+         + sky_of_facet(p, mirrored, coat_solid_angle(p.bsdf)) * (1.0f - over.coat_through);
+}
+
 // Light from all sides, wo_local not inside of a solid body: facets reflect it as the sum of
 // slope_light, the base is matte, and what is sent through is the mean of all sides.
 vec3 slopes_lit_by_sky(IN(ShadingPoint) p, vec3 wo_local) {
@@ -60,7 +85,8 @@ vec3 slopes_lit_by_sky(IN(ShadingPoint) p, vec3 wo_local) {
         vec3 sky = sky_of_facet(p, wi, facet.solid_angle);
         sum += (f.reflected * sky + f.transmitted * local.sky_mean) * facet.weight;
     }
-    return seen.has_base ? sum + base_lit_by_sky(p, seen) : sum;
+    sum = seen.has_base ? sum + base_lit_by_sky(p, seen) : sum;
+    return has_layers(p.bsdf) ? layers_lit_by_sky(p, seen, sum) : sum;
 }
 
 // The same for any surface; those without slopes as if they were matte with their albedo.

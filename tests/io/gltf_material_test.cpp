@@ -78,17 +78,48 @@ TEST(GltfMaterial, Glints) {
         EXPECT_TRUE(loaded({{"extras", other}}).layers.empty());
 }
 
+// Coat, sheen and film with the material's own factors, and as they are without any.
+TEST(GltfMaterial, GlintsUnderLayers) {
+    nlohmann::json file = withGlints({{"density", 1e6}});
+    const Material plain = loaded(file);
+    EXPECT_EQ(settingOf(plain, "coat"), 0);
+    EXPECT_EQ(settingOf(plain, "sheen_color"), 0);
+    EXPECT_EQ(settingOf(plain, "iridescence"), 0);
+    file["extensions"] = {
+        {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.5}}},
+        {"KHR_materials_sheen",
+         {{"sheenColorFactor", {0.5, 0.25, 0.125}}, {"sheenRoughnessFactor", 0.75}}},
+        {"KHR_materials_iridescence",
+         {{"iridescenceFactor", 0.875}, {"iridescenceIor", 1.75},
+          {"iridescenceThicknessMaximum", 650}}}};
+    const Scene scene = load(withMaterial(file));
+    EXPECT_TRUE(scene.warnings.empty());
+    const Material& m = scene.instances.at(0)->surface();
+    EXPECT_EQ(settingOf(m, "coat"), 0.75);
+    EXPECT_EQ(settingOf(m, "coat_alpha"), 0.25);
+    EXPECT_EQ(settingOf(m, "sheen_color"), 0.5);
+    EXPECT_EQ(settingOf(m, "sheen_alpha"), 0.5625);
+    EXPECT_EQ(settingOf(m, "iridescence"), 0.875);
+    EXPECT_EQ(settingOf(m, "iridescence_ior"), 1.75);
+    EXPECT_EQ(settingOf(m, "iridescence_thickness_nm"), 650);
+}
+
 // Textures of the factors that glints take stay with the material; what is left out is said.
-TEST(GltfMaterial, GlintsWithTexturesAndLayers) {
+TEST(GltfMaterial, GlintsWithTexturesAndWithoutSpecular) {
     nlohmann::json textured = withGlints({{"density", 1e6}});
     textured["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 0;
     const Scene quiet = load(withMaterial(textured));
     EXPECT_TRUE(quiet.instances.at(0)->surface().metallicRoughnessTexture.texture);
     EXPECT_TRUE(quiet.warnings.empty());
-    textured["extensions"]["KHR_materials_clearcoat"]["clearcoatFactor"] = 1;
+    textured["extensions"]["KHR_materials_clearcoat"] = {
+        {"clearcoatFactor", 1}, {"clearcoatTexture", {{"index", 0}}}};
     const Scene coated = load(withMaterial(textured));
-    ASSERT_EQ(coated.warnings.size(), 1u);
-    EXPECT_NE(coated.warnings[0].find("coat, sheen, iridescence"), std::string::npos);
+    EXPECT_TRUE(coated.instances.at(0)->surface().coatTexture.texture);
+    EXPECT_TRUE(coated.warnings.empty());
+    textured["extensions"]["KHR_materials_specular"]["specularFactor"] = 0.5;
+    const Scene dull = load(withMaterial(textured));
+    ASSERT_EQ(dull.warnings.size(), 1u);
+    EXPECT_NE(dull.warnings[0].find("the material's specular is left out"), std::string::npos);
 }
 
 TEST(GltfMaterial, GlintsThatAreWrong) {

@@ -2,6 +2,7 @@
 // white paint and clear bodies that carry them disappear. Under the sky alone, in an enclosed room
 // of lights and walls, in real time and in local mode.
 #include <cmath>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@ namespace {
 struct Body {
     const char *name, *alpha, *metallic, *transmission, *thin;
     double lost;  // what single scattering by V-cavities loses of it, at most
+    const char *coat = "0", *sheen = "0";
 };
 
 // Metal: light that leaves a cavity into its other side. Clear: what refraction into and out of
@@ -20,15 +22,20 @@ struct Body {
 const Body bodies[] = {{"metal", "0.1", "1", "0", "1", 0.006},
                        {"paint", "0.3", "0", "0", "1", 0.002},
                        {"clear", "0.03", "0", "1", "0", 0.009}};
+// What a coat and a sheen throw back at what is below them is lost, as it is in glTF's material.
+const Body underLayers[] = {{"coated metal", "0.1", "1", "0", "1", 0.1, "1"},
+                            {"coated paint", "0.3", "0", "0", "1", 0.1, "1"},
+                            {"cloth", "0.3", "0", "0", "1", 0.1, "0", "0.6"}};
 
 GpMaterial materialOf(Stage& stage, const Body& body, const char* method) {
     // A pixel of these pictures, 0.02 m² of the sphere, sees a thousand facets.
     const GpBsdfParameter words[] = {
         {"alpha_x", body.alpha}, {"alpha_y", body.alpha}, {"metallic", body.metallic},
         {"transmission", body.transmission}, {"thin", body.thin}, {"base_color", "1"},
-        {"method", method}, {"density", "5e4"}};
+        {"method", method}, {"density", "5e4"}, {"coat", body.coat}, {"coat_alpha", "0.01"},
+        {"sheen_color", body.sheen}, {"sheen_alpha", "0.4"}};
     GpBsdfDesc bsdf{};
-    bsdf.model = "glint", bsdf.parameters = words, bsdf.parameterCount = 8;
+    bsdf.model = "glint", bsdf.parameters = words, bsdf.parameterCount = std::size(words);
     GpMaterialDesc desc{};
     desc.bsdf = gpNewBsdf(stage.device, &bsdf);
     if (!desc.bsdf) stage.check(gpGetError(stage.device, nullptr));
@@ -65,6 +72,19 @@ TEST_P(GlintFurnace, BodiesUnderTheSkyVanish) {
         GpRenderOptions o = stage.options(effort(256));
         o.maxBounces = 64;
         const OnBall seen = onBall(stage.render(16, 16, frontCamera(), o));
+        const double tolerance = 4 * seen.sigma + 0.001;
+        EXPECT_LT(seen.sigma, 0.003) << body.name << ": too few samples";
+        EXPECT_LT(seen.mean, 1 + tolerance) << body.name;
+        EXPECT_GT(seen.mean, 1 - body.lost - tolerance) << body.name;
+    }
+}
+
+TEST_P(GlintFurnace, LayersLetNoLightOutThatDidNotComeIn) {
+    for (const Body& body : underLayers) {
+        Stage stage(bestFullVariant().front());
+        stage.add(ball({0, 0, 0}), materialOf(stage, body, GetParam()));
+        stage.surround(glm::vec3(1));
+        const OnBall seen = onBall(stage.render(16, 16, frontCamera(), stage.options(256)));
         const double tolerance = 4 * seen.sigma + 0.001;
         EXPECT_LT(seen.sigma, 0.003) << body.name << ": too few samples";
         EXPECT_LT(seen.mean, 1 + tolerance) << body.name;
@@ -128,7 +148,8 @@ TEST(GlintFurnaceRealtime, BodiesUnderTheSkyVanish) {
 
 // Light from all sides by facets of the Gaussian: what their sum is off by (docs/water.md).
 TEST(GlintFurnaceLocal, BodiesUnderTheSkyVanish) {
-    for (const Body& body : {bodies[0], bodies[1]}) {
+    for (const Body& body :
+         {bodies[0], bodies[1], underLayers[0], underLayers[1], underLayers[2]}) {
         Variant variant = bestFullVariant().front();
         variant.mode = GP_MODE_LOCAL;
         Stage stage(variant);

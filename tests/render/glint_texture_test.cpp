@@ -1,5 +1,5 @@
-// Glints of glTF files whose roughness and metal vary by a texture: where it is constant, the
-// material without it; where it varies, the one that each texel says; and no light lost or won.
+// Glints of glTF files whose roughness, metal and layers vary by a texture: where it is constant,
+// the material without it; where it varies, the one that each texel says; no light lost or won.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +26,7 @@ struct Look {
     const char* texture = nullptr;
     const char* method = "dictionary";
     double color = 1;
+    std::string layers = "";  // extensions of the material, which may read texture 0
 };
 
 // A square of 2 m in the plane z = 0, its texture coordinates once across it.
@@ -41,6 +42,7 @@ std::string fileOf(const Look& look) {
         "material": 0}}]}}],
       "materials": [{{
         "extras": {{"glitterpath": {{"glints": {{"density": 1e5, "method": "{}"}}}}}},
+        "extensions": {{{}}},
         "pbrMetallicRoughness": {{"roughnessFactor": {}, "metallicFactor": {},
           "baseColorFactor": [{}, {}, {}, 1]{}}}}}],
       "buffers": [{{"byteLength": 92, "uri": "data:application/octet-stream;base64,)"
@@ -53,8 +55,9 @@ std::string fileOf(const Look& look) {
         "min": [-1, -1, 0], "max": [1, 1, 0]}}, {{"bufferView": 1, "componentType": 5126,
         "count": 4, "type": "VEC2"}}, {{"bufferView": 2, "componentType": 5123, "count": 6,
         "type": "SCALAR"}}]
-      }})", texture, look.method, look.roughness, look.metallic, look.color, look.color, look.color,
-        look.texture ? R"(, "metallicRoughnessTexture": {"index": 0})" : "");
+      }})", texture, look.method, look.layers, look.roughness, look.metallic, look.color,
+        look.color, look.color,
+        look.texture && look.layers.empty() ? R"(, "metallicRoughnessTexture": {"index": 0})" : "");
 }
 
 // Under a sun and a sky, or in a white surrounding.
@@ -104,6 +107,39 @@ TEST(GlintTextures, AConstantTextureIsTheMaterialOfItsFactors) {
         // The factors without the texture are another material.
         textured.texture = nullptr;
         EXPECT_GT(std::abs(pictureOf(textured, false).mean().y / b.mean().y - 1), 0.05) << method;
+    }
+}
+
+// Of the channels that the texture has: the coat's roughness, and a film's thickness. The coat is
+// rough, so that it is seen beside the facets.
+TEST(GlintTextures, LayersReadTheirs) {
+    const auto coat = [](double roughness, const char* map) {
+        return fmt::format(R"("KHR_materials_clearcoat": {{"clearcoatFactor": 1,
+          "clearcoatRoughnessFactor": {}{}}})", roughness, map);
+    };
+    const auto film = [](double least, double most, const char* map) {
+        return fmt::format(R"("KHR_materials_iridescence": {{"iridescenceFactor": 1,
+          "iridescenceThicknessMinimum": {}, "iridescenceThicknessMaximum": {}{}}})", least, most,
+          map);
+    };
+    const double thickness = 200 + shareG * 400;
+    const std::string cases[][3] = {
+        {coat(0.8, R"(, "clearcoatRoughnessTexture": {"index": 0})"), coat(0.8 * shareG, ""),
+         coat(0.8, "")},
+        {film(200, 600, R"(, "iridescenceThicknessTexture": {"index": 0})"),
+         film(100, thickness, ""), film(200, 600, "")}};
+    for (const auto& row : cases) {
+        Look textured, plain, other;
+        textured.texture = constant;
+        textured.layers = row[0], plain.layers = row[1], other.layers = row[2];
+        // A film on what is white is white.
+        if (&row != cases) textured.color = plain.color = other.color = 0.3;
+        const Picture a = pictureOf(textured, false), b = pictureOf(plain, false);
+        EXPECT_NEAR(a.mean().x / b.mean().x, 1, 2e-3) << row[0];
+        EXPECT_NEAR(a.mean().z / b.mean().z, 1, 2e-3) << row[0];
+        const Picture c = pictureOf(other, false);
+        EXPECT_GT(std::abs(c.mean().x / b.mean().x - 1) + std::abs(c.mean().z / b.mean().z - 1),
+                  0.02) << row[0];
     }
 }
 

@@ -168,6 +168,23 @@ const LibraryCase libraryCases[] = {
     {"glint", "smith", "method=smooth base_color=1 metallic=1 masking=smith alpha_x=0.4 "
      "alpha_y=0.2 mean_slope_x=0.2", BSDF_CONSERVING},
     {"glint", "tilted", "method=smooth metallic=1 masking=tilted alpha_x=0.3 alpha_y=0.3"},
+    {"glint", "coat", "method=smooth base_color=1 alpha_x=0.3 alpha_y=0.2 metallic=0.5 coat=1 "
+     "coat_alpha=0.1", BSDF_CONSERVING},
+    {"glint", "cloth", "method=smooth alpha_x=0.4 alpha_y=0.4 sheen_color=0.9,0.4,0.7 "
+     "sheen_alpha=0.25 mean_slope_x=0.2", BSDF_CONSERVING},
+    {"glint", "film", "method=smooth base_color=1 alpha_x=0.25 alpha_y=0.25 iridescence=1",
+     BSDF_CONSERVING},
+    {"glint", "film_on_metal", "method=smooth alpha_x=0.25 alpha_y=0.25 iridescence=0.8 "
+     "metallic=1 coat=0.5 coat_alpha=0.3", BSDF_CONSERVING},
+    {"glint", "layered_wave", "method=smooth metallic=0.3 alpha_x=0.3 alpha_y=0.15 coat=0.6 "
+     "coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3 mean_slope_x=0.3 mean_slope_y=-0.2",
+     BSDF_CONSERVING},
+    {"glint", "layered_solid", "method=smooth metallic=0.2 transmission=0.6 thin=false alpha_x=0.3 "
+     "alpha_y=0.15 coat=0.6 coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3",
+     BSDF_CONSERVING},
+    {"glint", "layered_sheet", "method=smooth metallic=0.2 transmission=0.6 alpha_x=0.3 "
+     "alpha_y=0.15 coat=0.6 coat_alpha=0.1 sheen_color=0.3,0.2,0.4 sheen_alpha=0.3 "
+     "mean_slope_y=0.1", BSDF_CONSERVING},
     {"measured", "nearest", "interpolation=nearest", 0u, true},
     {"holzschuch_pacanowski", "no_mirror", "eta=0.05 k=9 sigma_um=1 b_um=5", 0u, true},
 };

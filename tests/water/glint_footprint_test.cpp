@@ -188,5 +188,20 @@ TEST(GlintFootprint, WithoutTextureCoordinatesTheSurfaceIsSmooth) {
     EXPECT_TRUE(std::isfinite(bsdf_eval(m, vec3(0, 0, 1), vec3(0, 0, 1)).f_cos.x));
 }
 
+// Whichever way the facets' mean is bent, a coat without a normal map lies on the surface.
+TEST(GlintFootprint, TheCoatStaysOnTheSurface) {
+    makeScene(true);
+    theBsdf.coat = 1.0f;
+    theBsdf.slot_a.x = 0.3f, theBsdf.slot_a.y = -0.2f;
+    for (const float y : {-0.4f, 0.0f, 0.5f}) {
+        const Seen seen = seenAlong({vec3(0.5f, y, 2.0f), 1e-3f}, vec3(0.0f, 0.0f, -1.0f));
+        const vec2 mean = glint_mean(seen.bsdf);
+        EXPECT_NEAR(mean.x, 0.3f, 1e-6f);
+        const vec3 n = world_from_local(mesosurface_frame(mean), seen.bsdf.coat_normal);
+        EXPECT_NEAR(n.z, 1.0f, 1e-6f);
+        EXPECT_LT(seen.bsdf.coat_normal.z, 0.95f);
+    }
+}
+
 }  // namespace
 }  // namespace gp::shading

@@ -47,6 +47,29 @@ BsdfValue coat_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     return v;
 }
 
+// The mean of f cos over the disc of a light about wi, disc: 1 - cos of its angular radius. A lobe
+// that would be brighter in its middle than the disc in a mirror shows the disc, sharp; wider ones
+// take it for a point. pdf: 0.
+BsdfValue coat_eval_disc(IN(BsdfParams) m, vec3 wo, vec3 wi, float disc) {
+    float sin_squared = disc * (2.0f - disc);
+    float cos_o = dot(m.coat_normal, wo);
+    // GGX's middle is 1 / (4 pi alpha^2), the disc's 1 / (pi sin^2).
+    if (4.0f * m.coat_alpha * m.coat_alpha >= sin_squared) {
+        return coat_eval(m, wo, wi);
+    }
+    BsdfValue v = bsdf_no_value();
+    vec3 chord = m.coat_normal * (2.0f * cos_o) - wo - wi;
+    if (cos_o > 0.0f && dot(m.coat_normal, wi) > 0.0f && wi.z > 0.0f
+        && dot(chord, chord) <= 2.0f * disc) {
+        v.f_cos = vec3(m.coat * fresnel_schlick(COAT_F0, 1.0f, cos_o) / (PI * sin_squared));
+    }
+    return v;
+}
+
+uint coat_lobe(IN(BsdfParams) m) {
+    return alpha_is_specular(m.coat_alpha, m.coat_alpha) ? LOBE_SPECULAR : LOBE_GLOSSY;
+}
+
 // A direction from the coat's lobe; below the horizon, z <= 0, where there is none.
 vec3 coat_sample_direction(IN(BsdfParams) m, vec3 wo, vec2 u) {
     if (coat_is_flat(m)) {

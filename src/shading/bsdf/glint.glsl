@@ -4,7 +4,8 @@
 //
 // A share `transmission` of the surface is clear, with the exact Fresnel term; the rest is as in
 // glTF's material: Schlick's term, and below it a matte base that gets what this lets through. Each
-// keeps its energy.
+// keeps its energy. A thin film colours what both reflect, and coat and sheen lie over all of it,
+// all three as in glTF's (glint_layers.glsl).
 // The point that is seen (uv, footprint, kernel) stands in slots that a renderer fills; as
 // parameters they show one cell's facets in plots.
 #ifndef GP_SHADING_BSDF_GLINT_GLSL
@@ -17,19 +18,34 @@
 #include "shading/sampling/warps.glsl"
 #include "shading/bsdf/gltf.glsl"
 #include "shading/bsdf/glint_interface.glsl"
+#include "shading/bsdf/glint_layers.glsl"
 #include "shading/bsdf/params.glsl"
 
 // Of sampling: facets must be met even where they reflect nearly nothing.
 #define GLINT_MOST_DIFFUSE 0.98f
 
-// What the facets, seen under a cosine, let through to the matte base: what they do not reflect.
-// Without preparation (bsdf_prepared) nothing is reflected.
-float glint_through(IN(BsdfParams) m, float cos_w) {
+// What the facets reflect under a cosine, by their polynomial. Without preparation (bsdf_prepared)
+// nothing.
+float glint_reflected(IN(BsdfParams) m, float cos_w) {
     Chebyshev reflected;
     reflected.low = m.slot_g;
     reflected.middle = m.slot_h;
     reflected.high = m.slot_i;
-    return clamp(1.0f - chebyshev_value(reflected, sqrt(cos_w)), 0.0f, 1.0f);
+    return chebyshev_value(reflected, sqrt(cos_w));
+}
+
+// Under a film f0 goes with the angle, and the polynomial is that of f0 = 0: all facets that are
+// seen reflect f0 of what it leaves.
+OUT_OF_LINE vec3 glint_film_albedo(IN(BsdfParams) m, float cos_w) {
+    float rest = clamp(glint_reflected(m, cos_w), 0.0f, 1.0f);
+    vec3 f0 = gltf_effective_f0(m, gltf_dielectric_f0(m), m.specular, cos_w);
+    return vec3(rest) + f0 * (1.0f - rest);
+}
+
+// What they let through to the matte base: what they do not reflect.
+float glint_through(IN(BsdfParams) m, float cos_w) {
+    if (m.iridescence > 0.0f) { return 1.0f - max_component(glint_film_albedo(m, cos_w)); }
+    return clamp(1.0f - glint_reflected(m, cos_w), 0.0f, 1.0f);
 }
 
 // The albedo of the dielectric facets, by which the base is coupled to them: twelve values of a
@@ -45,8 +61,10 @@ GlintBase glint_base(IN(BsdfParams) m, float alpha) {
     base.reflected = chebyshev_none();
     base.through = 1.0f;
     if (gltf_has_diffuse(m)) {
-        base.reflected = cavity_albedo(alpha, f0_from_ior(m.ior));
-        base.through = clamp(1.0f - cavity_albedo_average(base.reflected), 0.0f, 1.0f);
+        bool film = m.iridescence > 0.0f;
+        base.reflected = cavity_albedo(alpha, film ? 0.0f : f0_from_ior(m.ior));
+        float average = film ? 0.0f : cavity_albedo_average(base.reflected);
+        base.through = clamp(1.0f - average, 0.0f, 1.0f);
     }
     return base;
 }
@@ -80,7 +98,8 @@ struct GlintView {
     float eta;      // behind the surface over the view's side
     bool has_base;  // which is not seen from inside of a solid body
     float through;
-    float p_base;   // of sampling it
+    float p_base;   // of sampling it, where no layer is chosen
+    GlintLayers over;
 };
 
 bool glint_is_black(IN(BsdfParams) m, vec3 wo) {
@@ -110,6 +129,10 @@ GlintView glint_view(IN(BsdfParams) m, vec4 kernel, vec3 wo) {
         view.through = glint_through(m, mesosurface_cosine(view.g.slopes.mean, view.o));
         view.p_base = glint_base_probability(m, view.through);
     }
+    view.over = glint_no_layers();
+    if (has_layers(m)) {
+        view.over = glint_layers_seen(m, view.g.slopes.mean, view.o, view.turned);
+    }
     return view;
 }
 
@@ -119,9 +142,15 @@ GlintView glint_view(IN(BsdfParams) m, vec3 wo) {
 
 BsdfValue glint_base_eval(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
     float cos_i = mesosurface_cosine(view.g.slopes.mean, i);
+    float through_o = view.through;
     float through_i = glint_through(m, cos_i);
+    if (m.iridescence > 0.0f) {
+        // Nobody knows the film's average in closed form; the smaller share needs none.
+        through_o = min(through_o, through_i);
+        through_i = 1.0f;
+    }
     BsdfValue v;
-    v.f_cos = coupled_diffuse(gltf_diffuse_color(m), vec3(view.through), vec3(through_i),
+    v.f_cos = coupled_diffuse(gltf_diffuse_color(m), vec3(through_o), vec3(through_i),
                               vec3(m.slot_j.x)) * cos_i;
     v.pdf = cos_i * INV_PI;
     return v;
@@ -143,6 +172,9 @@ BsdfValue glint_facet_value(IN(BsdfParams) m, IN(GlintView) view, IN(GlintFacet)
         v.f_cos += base.f_cos;
         v.pdf += view.p_base * base.pdf;
     }
+    if (has_layers(m)) {
+        return glint_under_layers(m, view.over, view.g.slopes.mean, view.turned, i, v);
+    }
     return v;
 }
 
@@ -162,22 +194,19 @@ BsdfValue glint_eval_view(IN(BsdfParams) m, IN(GlintView) view, vec3 i) {
     return glint_facet_value(m, view, facet, i, front, refracts);
 }
 
-// kernel: in the place of the material's own, slot_e.
-BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec4 kernel, vec3 wo, vec3 wi) {
+BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     if (glint_is_black(m, wo) || slope_facing(glint_mean(m), wi) == 0.0f) {
         return bsdf_no_value();
     }
-    GlintView view = glint_view(m, kernel, wo);
+    GlintView view = glint_view(m, wo);
     return glint_eval_view(m, view, view.turned ? glint_turned(m, wi) : wi);
-}
-
-BsdfValue glint_bsdf_eval(IN(BsdfParams) m, vec3 wo, vec3 wi) {
-    return glint_bsdf_eval(m, m.slot_e, wo, wi);
 }
 
 bool glint_bsdf_is_specular(IN(BsdfParams) m) {
     Slopes d = glint_of(m).slopes;
-    return !gltf_has_diffuse(m) && alpha_is_specular(sqrt(2.0f * d.var_x), sqrt(2.0f * d.var_y));
+    bool smooth_coat = m.coat <= 0.0f || alpha_is_specular(m.coat_alpha, m.coat_alpha);
+    return !gltf_has_diffuse(m) && m.sheen_color == vec3(0.0f) && smooth_coat
+        && alpha_is_specular(sqrt(2.0f * d.var_x), sqrt(2.0f * d.var_y));
 }
 
 // A direction by a facet that the view sees; the zero vector where it sends light to the wrong
@@ -213,7 +242,14 @@ BsdfSample glint_bsdf_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
     float p_facets = 1.0f - view.p_base;
     uint lobe = glint_bsdf_is_specular(m) ? LOBE_SPECULAR : LOBE_GLOSSY;
     vec3 i;
-    if (u_lobe < p_facets) {
+    float p_inner = 1.0f - view.over.layers.p_coat - view.over.layers.p_sheen;
+    bool on_layers = has_layers(m) && u_lobe >= p_inner;
+    u_lobe = on_layers ? u_lobe - p_inner : u_lobe / p_inner;
+    if (on_layers) {
+        bool sheen = u_lobe < view.over.layers.p_sheen;
+        i = glint_layer_sample(m, view.over, mean, sheen, u);
+        lobe = sheen ? LOBE_DIFFUSE : coat_lobe(m);
+    } else if (u_lobe < p_facets) {
         // Two more numbers, of what both compilers have bit by bit.
         uvec3 bits = hash_u32x3(
             uvec3(floatBitsToUint(u_lobe), floatBitsToUint(u.x), floatBitsToUint(u.y)));
@@ -244,12 +280,18 @@ vec3 glint_bsdf_albedo(IN(BsdfParams) m, float cos_o) {
     }
     float c = abs(cos_o);
     float kept = 1.0f - 0.34f * mean_alpha(m);
-    vec3 metal = kept * fresnel_schlick(m.base_color, vec3(1.0f), c);
+    vec3 metal = kept * gltf_metal_fresnel(m, c);
+    bool film = m.iridescence > 0.0f;
     float through = glint_through(m, c);
-    vec3 opaque = vec3(1.0f - through) + m.base_color * through;
+    vec3 facets = film ? glint_film_albedo(m, c) : vec3(1.0f - through);
+    vec3 opaque = facets + m.base_color * through;
     float f = fresnel_dielectric(c, relative_ior(m.ior, 1.0f));
-    vec3 clear = vec3(f) + m.base_color * (1.0f - f);
-    return mix(mix(opaque, clear, m.transmission), metal, m.metallic);
+    vec3 mirrored = film ? mix(vec3(f), gltf_film(m, gltf_dielectric_f0(m), c), m.iridescence)
+                         : vec3(f);
+    vec3 clear = mirrored + m.base_color * (1.0f - max_component(mirrored));
+    vec3 albedo = mix(mix(opaque, clear, m.transmission), metal, m.metallic);
+    vec3 w = vec3(sqrt(max(1.0f - c * c, 0.0f)), 0.0f, c);
+    return has_layers(m) ? albedo_under_layers(m, w, albedo) : albedo;
 }
 
 #endif

@@ -143,8 +143,15 @@ GltfFresnel glint_fresnel(IN(BsdfParams) m, float cos_h, float cos_t, float eta)
     if (clear > 0.0f) {
         vec3 schlick = lost ? vec3(1.0f) : gltf_dielectric_fresnel(m, cos_outside);
         float through = cos_t > 0.0f ? fresnel_transmittance(cos_h, cos_t, eta) : 0.0f;
+        vec3 mirrored = vec3(1.0f - through);
+        if (m.iridescence > 0.0f && !lost) {
+            vec3 film = gltf_film(m, gltf_dielectric_f0(m), cos_outside);
+            mirrored = mix(mirrored, film, m.iridescence);
+            // Not one less that: near grazing angles few digits of it would be left.
+            through = mix(through, 1.0f - max_component(film), m.iridescence);
+        }
         // By component: GLM's max of vectors is a call where much else is inlined.
-        vec3 sum = f.reflected + clear * (vec3(1.0f - through) - schlick);
+        vec3 sum = f.reflected + clear * (mirrored - schlick);
         f.reflected = vec3(max(sum.x, 0.0f), max(sum.y, 0.0f), max(sum.z, 0.0f));
         // slot_c.w: the share that never comes back, which a renderer fills in for deep water.
         f.transmitted = m.base_color * (clear * through * (1.0f - m.slot_c.w));

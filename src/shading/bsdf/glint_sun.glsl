@@ -45,8 +45,21 @@ vec3 slopes_matte_part(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local) {
     if (glint_is_black(m, wo_local)) { return vec3(0.0f); }
     GlintView seen = glint_view(m, wo_local);
     vec3 i = seen.turned ? glint_turned(m, wi_local) : wi_local;
-    bool lit = seen.has_base && slope_facing(seen.g.slopes.mean, i) > 0.0f;
-    return lit ? glint_base_eval(m, seen, i).f_cos : vec3(0.0f);
+    vec2 mean = seen.g.slopes.mean;
+    if (!seen.has_base || !(slope_facing(mean, i) > 0.0f)) { return vec3(0.0f); }
+    vec3 base = glint_base_eval(m, seen, i).f_cos;
+    return has_layers(m) ? base * glint_layers_through(m, seen.over, mean, seen.turned, i) : base;
+}
+
+// What of it is not the facets': that, and what layers over them add. disc: see coat_eval_disc.
+vec3 slopes_part_without_facets(IN(BsdfParams) m, float disc, vec3 wo_local, vec3 wi_local) {
+    vec3 matte = slopes_matte_part(m, wo_local, wi_local);
+    if (!has_layers(m) || glint_is_black(m, wo_local)) { return matte; }
+    GlintView seen = glint_view(m, wo_local);
+    seen.over.layers.disc = disc;
+    vec3 i = seen.turned ? glint_turned(m, wi_local) : wi_local;
+    return matte + glint_under_layers(m, seen.over, seen.g.slopes.mean, seen.turned, i,
+                                      bsdf_no_value()).f_cos;
 }
 
 // Whether sun_facets are what a surface reflects of a sun, wi_local to its middle.
@@ -77,17 +90,19 @@ SunFacets sun_facets(IN(Slopes) material, vec4 kernel, uint masking, vec3 wo_loc
 }
 
 // f cos of a sun. Where slopes are narrower than the disc the highlight of smooth ones is its sharp
-// image; glints keep the Gaussian, as their cells are made for covariances.
+// image, as that of a coat is; glints keep the Gaussian, as their cells are made for covariances.
 vec3 sun_facets_f_cos(IN(BsdfParams) m, IN(SunFacets) s, vec3 wo_local, vec3 wi_local,
                       IN(DirectionalLight) sun) {
+    float disc = sun.one_minus_cos_max;
     GlintView seen = glint_view(m, s.kernel, wo_local);
+    seen.over.layers.disc = disc;
     vec3 f_cos = glint_facet_value(m, seen, s.facet, wi_local, true, false).f_cos;
     if (glint_method(m) != GLINT_SMOOTH) { return f_cos; }
     float shape =
         sun_disc_shape(glint_of(m).slopes, wo_local, wi_local, sqrt(sun_sin_squared(sun)));
     if (shape == 1.0f) { return f_cos; }
-    vec3 base = slopes_matte_part(m, wo_local, wi_local);
-    return base + (f_cos - base) * shape;
+    vec3 rest = slopes_part_without_facets(m, disc, wo_local, wi_local);
+    return rest + (f_cos - rest) * shape;
 }
 
 vec3 sun_f_cos(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLight) sun) {

@@ -7,16 +7,15 @@
 // them so that no more light leaves than arrives, and the same for wo and wi exchanged:
 // - The diffuse base gets what the interface lets in and out again, (1 - E(o)) (1 - E(i)) over
 //   (1 - E_avg), not 1 - F(h), which at grazing angles returns up to 1.9 times the light.
-// - T of coat and sheen is the smaller of 1 - E at wo and at wi, as KHR_materials_sheen has it;
-//   the specification's coat looks at the view's angle only.
+// - T of coat and sheen is the smaller of 1 - E at wo and at wi (layers.glsl); the
+//   specification's coat looks at the view's angle only.
 #ifndef GP_SHADING_BSDF_GLTF_GLSL
 #define GP_SHADING_BSDF_GLTF_GLSL
 #include "shading/sampling/warps.glsl"
 #include "shading/microfacet/ggx_albedo.glsl"
 #include "shading/bsdf/params.glsl"
-#include "shading/bsdf/coat.glsl"
-#include "shading/bsdf/sheen.glsl"
 #include "shading/bsdf/gltf_interface.glsl"
+#include "shading/bsdf/layers.glsl"
 
 // What depends on the view alone, and how probable each lobe is; the interface has the rest.
 struct GltfView {
@@ -25,12 +24,9 @@ struct GltfView {
     float eta;
     float alpha;       // one width for the fits of albedos
     float f0;          // of the dielectric, the largest channel
-    float coat_through;
-    float sheen_through;
     float base_through;  // 1 - E(o) of the dielectric
-    float p_coat;
-    float p_sheen;
     float p_diffuse;
+    Layers layers;
 };
 
 // Schlick's f0 that gives the film's reflectance at this angle, so that the fits of albedos work.
@@ -59,16 +55,6 @@ vec3 gltf_diffuse_color(IN(BsdfParams) m) {
     return m.base_color * ((1.0f - m.metallic) * (1.0f - m.transmission));
 }
 
-// What coat and sheen let through towards w, on the outside.
-float gltf_coat_through(IN(BsdfParams) m, vec3 w) {
-    return m.coat > 0.0f ? 1.0f - coat_albedo(m, w) : 1.0f;
-}
-
-float gltf_sheen_through(IN(BsdfParams) m, vec3 w) {
-    float color = max_component(m.sheen_color);
-    return color > 0.0f ? 1.0f - color * sheen_albedo_white(w.z, m.sheen_alpha) : 1.0f;
-}
-
 // Only the interface can be seen from inside of a solid body.
 GltfView gltf_view_from_inside(IN(BsdfParams) m, vec3 wo) {
     GltfView view;
@@ -77,12 +63,9 @@ GltfView gltf_view_from_inside(IN(BsdfParams) m, vec3 wo) {
     view.eta = relative_ior(m.ior, -1.0f);
     view.alpha = 1.0f;
     view.f0 = 0.0f;
-    view.coat_through = 1.0f;
-    view.sheen_through = 1.0f;
     view.base_through = 0.0f;
-    view.p_coat = 0.0f;
-    view.p_sheen = 0.0f;
     view.p_diffuse = 0.0f;
+    view.layers = layers_none();
     return view;
 }
 
@@ -109,10 +92,7 @@ GltfView gltf_view(IN(BsdfParams) m, vec3 wo) {
     view.flip = wo.z < 0.0f;
     view.o = view.flip ? mirrored_z(wo) : wo;
     view.eta = m.transmission > 0.0f ? relative_ior(m.ior, 1.0f) : 1.0f;
-    view.coat_through = gltf_coat_through(m, view.o);
-    view.sheen_through = gltf_sheen_through(m, view.o);
-    view.p_coat = 1.0f - view.coat_through;
-    view.p_sheen = view.coat_through * (1.0f - view.sheen_through);
+    view.layers = layers_seen(m, view.o);
     view.alpha = mean_alpha(m);
     view.f0 = 0.0f;
     view.base_through = 0.0f;
@@ -122,13 +102,13 @@ GltfView gltf_view(IN(BsdfParams) m, vec3 wo) {
         view.f0 = max_component(gltf_dielectric_f0(m));
         view.base_through = gltf_dielectric_through(m, view.f0, view.o.z, e);
         float share = gltf_diffuse_share(m, view, e);
-        view.p_diffuse = (1.0f - view.p_coat - view.p_sheen) * share;
+        view.p_diffuse = (1.0f - view.layers.p_coat - view.layers.p_sheen) * share;
     }
     return view;
 }
 
 float gltf_interface_probability(IN(GltfView) view) {
-    return 1.0f - view.p_coat - view.p_sheen - view.p_diffuse;
+    return 1.0f - view.layers.p_coat - view.layers.p_sheen - view.p_diffuse;
 }
 
 // Diffuse reflection under the interface; with F = 1 - E the two sum up to white.
@@ -147,31 +127,6 @@ vec3 gltf_diffuse_f_cos(IN(BsdfParams) m, IN(GltfView) view, vec3 i) {
     return gltf_diffuse_color(m) * (scale * INV_PI * i.z);
 }
 
-// The base's value `base` seen through sheen and coat, and what these two add.
-BsdfValue gltf_under_layers(IN(BsdfParams) m, IN(GltfView) view, vec3 i, IN(BsdfValue) base) {
-    BsdfValue v = base;
-    // The direction on the other side of the layers, were they to be crossed twice: light that
-    // enters a solid body crosses them once, on wo's side; light that leaves it, on wi's.
-    bool enters = i.z < 0.0f && m.thin == 0u && !view.flip;
-    vec3 far_side = vec3(i.x, i.y, abs(i.z));
-    if (m.sheen_color != vec3(0.0f)) {
-        float through = enters ? 1.0f : gltf_sheen_through(m, far_side);
-        v.f_cos *= min(view.sheen_through, through);
-        if (i.z > 0.0f) {
-            v.f_cos += m.sheen_color * sheen_f_cos(view.o, i, m.sheen_alpha);
-            v.pdf += view.p_sheen * uniform_hemisphere_pdf(i);
-        }
-    }
-    if (m.coat > 0.0f) {
-        float through = enters ? 1.0f : gltf_coat_through(m, far_side);
-        v.f_cos *= min(view.coat_through, through);
-        BsdfValue coat = coat_eval(m, view.o, i);
-        v.f_cos += coat.f_cos;
-        v.pdf += view.p_coat * coat.pdf;
-    }
-    return v;
-}
-
 // All lobes towards wi, in the frame in which the view is above.
 BsdfValue gltf_eval_view(IN(BsdfParams) m, IN(GltfView) view, vec3 i) {
     if (i.z < 0.0f && gltf_transmissive_share(m) <= 0.0f) {
@@ -187,8 +142,9 @@ BsdfValue gltf_eval_view(IN(BsdfParams) m, IN(GltfView) view, vec3 i) {
     if (inside && i.z > 0.0f) {
         return v;
     }
-    if (m.coat > 0.0f || m.sheen_color != vec3(0.0f)) {
-        return gltf_under_layers(m, view, i, v);
+    if (has_layers(m)) {
+        bool enters = i.z < 0.0f && m.thin == 0u && !view.flip;
+        return under_layers(m, view.layers, view.o, i, enters, v);
     }
     return v;
 }
@@ -218,14 +174,14 @@ BsdfSample gltf_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
         lobe = microfacet_lobe(m, i.z < 0.0f ? LOBE_TRANSMISSION : 0u);
     } else if (u_lobe < p_interface + view.p_diffuse) {
         i = square_to_cosine_hemisphere(u);
-    } else if (u_lobe < p_interface + view.p_diffuse + view.p_sheen) {
+    } else if (u_lobe < p_interface + view.p_diffuse + view.layers.p_sheen) {
         i = square_to_uniform_hemisphere(u);
     } else {
         i = coat_sample_direction(m, view.o, u);
         if (i.z <= 0.0f) {
             return bsdf_no_sample();
         }
-        lobe = alpha_is_specular(m.coat_alpha, m.coat_alpha) ? LOBE_SPECULAR : LOBE_GLOSSY;
+        lobe = coat_lobe(m);
     }
     if (i.z == 0.0f) {
         return bsdf_no_sample();
@@ -252,11 +208,7 @@ vec3 gltf_albedo(IN(BsdfParams) m, float cos_o) {
     dielectric += m.base_color * gltf_dielectric_through(m, max_f0, c, e);
     vec3 metal = ggx_albedo_fresnel(e, metal_f0, vec3(1.0f));
     vec3 albedo = mix(dielectric, metal, m.metallic);
-    vec3 outer = vec3(wo.x, 0.0f, c);
-    albedo = albedo * gltf_sheen_through(m, outer);
-    albedo += m.sheen_color * sheen_albedo_white(c, m.sheen_alpha);
-    float through = gltf_coat_through(m, outer);
-    return albedo * through + vec3(1.0f - through);
+    return albedo_under_layers(m, vec3(wo.x, 0.0f, c), albedo);
 }
 
 // f |cos_i| of the diffuse base alone, seen through the layers above it.
@@ -269,14 +221,7 @@ vec3 gltf_diffuse_part(IN(BsdfParams) m, vec3 wo, vec3 wi) {
     }
     GltfView view = gltf_view(m, wo);
     vec3 i = view.flip ? mirrored_z(wi) : wi;
-    vec3 f_cos = gltf_diffuse_f_cos(m, view, i);
-    if (m.sheen_color != vec3(0.0f)) {
-        f_cos *= min(view.sheen_through, gltf_sheen_through(m, i));
-    }
-    if (m.coat > 0.0f) {
-        f_cos *= min(view.coat_through, gltf_coat_through(m, i));
-    }
-    return f_cos;
+    return gltf_diffuse_f_cos(m, view, i) * layers_through(m, view.layers, i);
 }
 
 // The albedo of that, but for how much the layers let in from each direction.
@@ -286,7 +231,8 @@ vec3 gltf_diffuse_albedo(IN(BsdfParams) m, float cos_o) {
         return vec3(0.0f);
     }
     GltfView view = gltf_view(m, wo);
-    return gltf_diffuse_color(m) * (view.base_through * view.sheen_through * view.coat_through);
+    float through = view.layers.sheen_through * view.layers.coat_through;
+    return gltf_diffuse_color(m) * (view.base_through * through);
 }
 
 bool gltf_is_specular(IN(BsdfParams) m) {
