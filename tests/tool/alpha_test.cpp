@@ -90,7 +90,7 @@ TEST(AlphaOption, IsRefusedWhereAFileHasNone) {
     for (const auto& row : rows) {
         Words words = row.words;
         words.emplace_back("--alpha");
-        expectError(runTool(words), 2, row.message);
+        expectRefusal(runTool(words), 2, row.message);
     }
 }
 

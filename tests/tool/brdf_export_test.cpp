@@ -138,13 +138,13 @@ TEST(BrdfExport, SaysWhatTheFormatCannotHold) {
 TEST(BrdfExport, RefusesWhatItCannotDo) {
     const TestFolder folder;
     const std::string out = folder("x.binary");
-    expectError(runTool({"brdf", "export", "lambert"}), 2, "-o");
-    expectError(runTool({"brdf", "export", "lambert", "-o", folder("x.bin")}), 2,
+    expectRefusal(runTool({"brdf", "export", "lambert"}), 2, "-o");
+    expectRefusal(runTool({"brdf", "export", "lambert", "-o", folder("x.bin")}), 2,
                 "does not end with .binary");
-    expectError(runTool({"brdf", "export", "lambrt", "-o", out}), 2, "did you mean lambert?");
-    expectError(runTool({"brdf", "export", "lambert", "-o", folder("no/x.binary")}), 1,
+    expectRefusal(runTool({"brdf", "export", "lambrt", "-o", out}), 2, "did you mean lambert?");
+    expectRefusal(runTool({"brdf", "export", "lambert", "-o", folder("no/x.binary")}), 1,
                 "no folder");
-    expectError(runTool({"brdf", "export", "measured", "-o", out}), 2, "is made from a file");
+    expectRefusal(runTool({"brdf", "export", "measured", "-o", out}), 2, "is made from a file");
     EXPECT_EQ(folder.fileCount(), 0u);
 }
 
@@ -153,14 +153,14 @@ TEST(BrdfExport, BadFilesAreOneLine) {
     const auto eval = [&](const std::string& name) {
         return runTool({"brdf", "eval", folder(name), "--wi", "0,0,1", "--wo", "0,0,1"});
     };
-    expectError(eval("none.binary"), 1, "none.binary: no such file");
+    expectRefusal(eval("none.binary"), 1, "none.binary: no such file");
     writeText(folder("short.binary"), "short");
-    expectError(eval("short.binary"), 1, "short.binary: has only 5 bytes: no MERL file");
+    expectRefusal(eval("short.binary"), 1, "short.binary: has only 5 bytes: no MERL file");
     std::string head(12, '\0');
     const std::int32_t sizes[3] = {90, 90, 360};
     std::memcpy(head.data(), sizes, sizeof sizes);
     writeText(folder("wide.binary"), head);
-    expectError(eval("wide.binary"), 1, "its dimensions are 90 x 90 x 360");
+    expectRefusal(eval("wide.binary"), 1, "its dimensions are 90 x 90 x 360");
 }
 
 }  // namespace

@@ -120,20 +120,20 @@ TEST(BrdfTable, RefusesWithFileLineAndThing) {
              {"lambert,{},0,0,1,0,0,\"1", "a quote is not closed"}}) {
         writeText(in, kHead + good + row);
         const ToolResult result = runTool({"brdf", "eval", "--csv", in, "-o", out});
-        expectOnlyError(result, 1, in + ":3: ");
-        expectOnlyError(result, 1, says);
+        expectError(result, 1, in + ":3: ");
+        expectError(result, 1, says);
         EXPECT_FALSE(exists(out)) << row;
     }
     writeText(in, "model,params,lx,ly,lz,vx,vy\n");
-    expectOnlyError(runTool({"brdf", "eval", "--csv", in}), 1, "there is no column 'vz'");
+    expectError(runTool({"brdf", "eval", "--csv", in}), 1, "there is no column 'vz'");
     writeText(in, "model,params,lx,lx,ly,lz,vx,vy,vz\n");
-    expectOnlyError(runTool({"brdf", "eval", "--csv", in}), 1, "there are two columns 'lx'");
+    expectError(runTool({"brdf", "eval", "--csv", in}), 1, "there are two columns 'lx'");
     writeText(in, "");
-    expectOnlyError(runTool({"brdf", "eval", "--csv", in}), 1, "is empty");
-    expectOnlyError(runTool({"brdf", "eval", "--csv", folder("none.csv")}), 1, "none.csv");
-    expectOnlyError(runTool({"brdf", "eval", "--csv", folder("")}), 1, "cannot read");
+    expectError(runTool({"brdf", "eval", "--csv", in}), 1, "is empty");
+    expectError(runTool({"brdf", "eval", "--csv", folder("none.csv")}), 1, "none.csv");
+    expectError(runTool({"brdf", "eval", "--csv", folder("")}), 1, "cannot read");
     writeText(in, kHead + good);
-    expectOnlyError(runTool({"brdf", "eval", "--csv", in, "-o", folder("no/x.csv")}), 1, "no/x.csv");
+    expectError(runTool({"brdf", "eval", "--csv", in, "-o", folder("no/x.csv")}), 1, "no/x.csv");
     EXPECT_EQ(folder.fileCount(), 1u);
 }
 
@@ -148,21 +148,21 @@ TEST(BrdfUsage, RefusesWords) {
         words.insert(words.end(), up.begin(), up.end());
         return words;
     };
-    expectOnlyError(runTool({"brdf"}), 2, "a subcommand is missing: list, presets, eval");
-    expectOnlyError(runTool({"brdf", "evl"}), 2, "did you mean eval?");
-    expectOnlyError(runTool({"brdf", "list", "--jsn"}), 2, "did you mean --json?");
-    expectOnlyError(eval({}), 2, "MODEL");
-    expectOnlyError(eval({"lambert", "--wi", "0,0,1"}), 2, "--wo is missing");
-    expectOnlyError(eval({"lambert", "--wi", "0,0,0", "--wo", "0,0,1"}), 2, "--wi");
-    expectOnlyError(eval({"lambert", "--wi", "0,0", "--wo", "0,0,1"}), 2, "--wi");
-    expectOnlyError(eval(upWith({"lambert", "extra"})), 2, "'extra'");
-    expectOnlyError(eval(upWith({"lamberd"})), 2, "did you mean lambert?");
-    expectOnlyError(eval(upWith({"phong", "--set", "exponent"})), 2, "NAME=VALUE");
-    expectOnlyError(eval(upWith({"phong", "--set", "exponnt=3"})), 2, "did you mean exponent?");
-    expectOnlyError(eval(upWith({"phong", "--set", "exponent=inf"})), 2, "phong: exponent: 'inf'");
-    expectOnlyError(eval(upWith({"phong", "--set", "normalization=no"})), 2, "none, normalized");
-    expectOnlyError(eval(upWith({"phong", "--dialect", "mitsuba"})), 2, "wdas");
-    expectOnlyError(eval({"phong", "--csv", "x.csv"}), 2, "--csv");
+    expectError(runTool({"brdf"}), 2, "a subcommand is missing: list, presets, eval");
+    expectError(runTool({"brdf", "evl"}), 2, "did you mean eval?");
+    expectError(runTool({"brdf", "list", "--jsn"}), 2, "did you mean --json?");
+    expectError(eval({}), 2, "MODEL");
+    expectError(eval({"lambert", "--wi", "0,0,1"}), 2, "--wo is missing");
+    expectError(eval({"lambert", "--wi", "0,0,0", "--wo", "0,0,1"}), 2, "--wi");
+    expectError(eval({"lambert", "--wi", "0,0", "--wo", "0,0,1"}), 2, "--wi");
+    expectError(eval(upWith({"lambert", "extra"})), 2, "'extra'");
+    expectError(eval(upWith({"lamberd"})), 2, "did you mean lambert?");
+    expectError(eval(upWith({"phong", "--set", "exponent"})), 2, "NAME=VALUE");
+    expectError(eval(upWith({"phong", "--set", "exponnt=3"})), 2, "did you mean exponent?");
+    expectError(eval(upWith({"phong", "--set", "exponent=inf"})), 2, "phong: exponent: 'inf'");
+    expectError(eval(upWith({"phong", "--set", "normalization=no"})), 2, "none, normalized");
+    expectError(eval(upWith({"phong", "--dialect", "mitsuba"})), 2, "wdas");
+    expectError(eval({"phong", "--csv", "x.csv"}), 2, "--csv");
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ private:
     tool::CsvTable m_table;
 };
 
-inline void expectOnlyError(const ToolResult& result, int exitCode, const std::string& says) {
-    expectError(result, exitCode, says);
+inline void expectError(const ToolResult& result, int exitCode, const std::string& says) {
+    expectRefusal(result, exitCode, says);
     EXPECT_EQ(result.err.rfind("glitterpath: error: ", 0), 0u) << result.err;
     EXPECT_EQ(result.out, "");
 }

@@ -144,7 +144,7 @@ TEST(Ocean, RefusesWhatItCannotDo) {
         {{"--wand", "3"}, "did you mean --wind"},
     };
     for (const auto& row : rows) {
-        expectError(runTool(oceanWords(out, row.more)), 2, row.message);
+        expectRefusal(runTool(oceanWords(out, row.more)), 2, row.message);
     }
     EXPECT_FALSE(fs::exists(out));
 }

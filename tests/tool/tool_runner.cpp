@@ -94,7 +94,7 @@ ToolResult runTool(const std::vector<std::string>& arguments, double signalAfter
     return result;
 }
 
-void expectError(const ToolResult& result, int exitCode, const std::string& says) {
+void expectRefusal(const ToolResult& result, int exitCode, const std::string& says) {
     EXPECT_EQ(result.exitCode, exitCode) << says;
     EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
     EXPECT_NE(result.err.find(says), std::string::npos) << result.err;

@@ -19,7 +19,7 @@ ToolResult runTool(const std::vector<std::string>& arguments, double signalAfter
 
 std::vector<std::string> linesOf(const std::string& text);
 // That it ended with this code, and one line that says so.
-void expectError(const ToolResult& result, int exitCode, const std::string& says);
+void expectRefusal(const ToolResult& result, int exitCode, const std::string& says);
 bool exists(const std::string& path);
 std::string readText(const std::string& path);
 void writeText(const std::string& path, const std::string& text);

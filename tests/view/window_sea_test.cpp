@@ -106,7 +106,7 @@ TEST(SeaOfView, WrongOptionsAreRefused) {
     for (const auto& row : rows) {
         Words words = {"view"};
         words.insert(words.end(), row.words.begin(), row.words.end());
-        expectError(runTool(words), 2, row.message);
+        expectRefusal(runTool(words), 2, row.message);
     }
 }
 
