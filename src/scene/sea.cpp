@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "scene/bsdf_registry.h"
+#include "scene/water_light.h"
 
 namespace gp {
 
@@ -79,18 +80,6 @@ glm::vec3 normalAt(const SeaGrid& grid, const glm::vec3* p, uint32_t row, uint32
 }  // namespace
 
 glm::vec3 seaAttenuation(const SeaSettings& s) { return s.absorption + s.backscattering; }
-
-// The ratio of back-scattering to absorption, for a high sun. [Morel and Prieur 1977, "Analysis of
-// variations in ocean color", Limnology and Oceanography 22(4), equation 2]
-glm::vec3 seaReflectance(const SeaSettings& s) {
-    glm::vec3 r(0);
-    for (int c = 0; c < 3; ++c) {
-        const float all = s.absorption[c] + s.backscattering[c];
-        // With next to no absorption the ratio has no bound; by the sum it stays below its factor.
-        if (all > 0) r[c] = 0.33f * s.backscattering[c] / all;
-    }
-    return r;
-}
 
 Sea::Sea(const SeaSettings& settings)
     : settings_(settings), ocean_(settings.waves), tail_(ocean_.tail()),

@@ -93,7 +93,4 @@ private:
 // What the water takes of light on its way, 1/m: absorbed, or scattered back.
 glm::vec3 seaAttenuation(const SeaSettings& settings);
 
-// The share of light that comes back out of deep water, just below its surface.
-glm::vec3 seaReflectance(const SeaSettings& settings);
-
 }  // namespace gp

@@ -51,7 +51,30 @@ void addSky(Downwelling& light, const SkyRows& sky) {
     }
 }
 
+// Of light from all sides above.
+double surfaceTransmittance(float ior) {
+    Downwelling furnace(ior);
+    addSky(furnace, {});
+    return furnace.irradiance().y / pi;
+}
+
 }  // namespace
+
+// Below the surface the irradiance upwards is `ratio` times that downwards, for a high sun. [Morel
+// and Prieur 1977, "Analysis of variations in ocean color", Limnology and Oceanography 22(4),
+// equation 2] Of what goes up the share `out` leaves, and the rest comes down again beside what
+// enters. [Austin 1974, "The Remote Sensing of Spectral Radiance from below the Ocean Surface"]
+glm::vec3 seaReflectance(const SeaSettings& sea) {
+    const double out = surfaceTransmittance(sea.ior) / (double(sea.ior) * double(sea.ior));
+    glm::vec3 share(0);
+    for (int c = 0; c < 3; ++c) {
+        const double all = double(sea.absorption[c]) + double(sea.backscattering[c]);
+        // With next to no absorption b over a has no bound; over the sum it stays below 1.
+        const double ratio = all > 0 ? 0.33 * double(sea.backscattering[c]) / all : 0;
+        share[c] = float(ratio * out / (1 - ratio * (1 - out)));
+    }
+    return share;
+}
 
 // Of what enters deep water the share seaReflectance comes out of it again, as the deep sea's matte
 // base has it. A radiance B from all directions below lets pi B t / n^2 out, where t is the mean
@@ -65,14 +88,12 @@ WaterLight waterLight(const SeaSettings& sea, const shared::LightRecord* suns, u
             light.add(-suns[i].direction.y,
                       glm::dvec3(suns[i].emission) * double(-suns[i].direction.y));
     addSky(light, sky);
-    Downwelling furnace(sea.ior);
-    addSky(furnace, {});
-    const double through = furnace.irradiance().y / pi;
+    const double squared = double(sea.ior) * double(sea.ior);
     WaterLight result;
     result.radiance = glm::vec3(glm::dvec3(seaReflectance(sea)) * light.irradiance() *
-                                (double(sea.ior) * double(sea.ior) / (pi * through)));
-    // The source along a ray is at most (1 + stretch) 0.33 of what light from all sides would have
-    // in balance: so no more than that comes back, whatever the index. Water has 1 to 1.52.
+                                (squared / (pi * surfaceTransmittance(sea.ior))));
+    // The source along a ray is at most (1 + stretch) times 0.33 of what light from all sides would
+    // have in balance: so no more than that comes back, whatever the index. Water has 1 to 1.52.
     constexpr double most = 2;
     result.stretch = float(std::min(light.stretch(), most));
     return result;

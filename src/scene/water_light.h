@@ -23,6 +23,9 @@ struct WaterLight {
     float stretch = 1;      // metres that the light from above has gone for each metre of depth
 };
 
+// The share of the light that enters deep water which leaves it again; the rest is absorbed.
+glm::vec3 seaReflectance(const SeaSettings& sea);
+
 // Through a flat surface; `suns`: directional lights. Nothing casts a shadow, and other lights are
 // not in it.
 WaterLight waterLight(const SeaSettings& sea, const shared::LightRecord* suns, uint32_t count,

@@ -128,10 +128,23 @@ struct WaterColumn {
     }
 };
 
-// `entering`: irradiance below the surface. All that deep water returns comes out again.
+// Of what enters deep water, the share that leaves: of the irradiance that goes up, which is
+// 0.33 b / (a + b) of what goes down, the surface sends a part back, again and again.
+inline double leavingShare(double absorption, double scattering) {
+    const double ratio = 0.33 * scattering / (absorption + scattering);
+    const double out = whiteSkyBelow().through / (eta * eta);
+    double sum = 0, down = 1;
+    for (int i = 0; i < 60; ++i) {
+        sum += down * ratio * out;
+        down *= ratio * (1 - out);
+    }
+    return sum;
+}
+
+// `entering`: irradiance below the surface, of what came through it.
 inline WaterColumn waterColumn(double absorption, double scattering, double entering,
                                double stretch) {
-    const double returned = 0.33 * scattering / (absorption + scattering) * entering;
+    const double returned = leavingShare(absorption, scattering) * entering;
     return {absorption + scattering, returned * eta * eta / (pi * whiteSkyBelow().through),
             stretch};
 }

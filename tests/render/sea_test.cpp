@@ -64,7 +64,7 @@ TEST(Sea, DeepWaterHasItsOwnColour) {
     const Picture picture = seaPicture(desc, looking(pitch), effort(1024));
     const double mirror = meanFromAbove(pitch, fresnel);
     for (int c = 0; c < 3; ++c) {
-        const double r = 0.33 * scattering[c] / (0.1 + scattering[c]);
+        const double r = leavingShare(0.1, double(scattering[c]));
         const double back = picture.mean()[c] - mirror;
         // Less than all of it leaves, by twice Fresnel's loss at most.
         EXPECT_LT(back, 1.02 * r) << c;

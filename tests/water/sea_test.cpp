@@ -128,16 +128,5 @@ TEST(Sea, NormalsAreThoseOfTheHeightsAround) {
     EXPECT_LT(errors, 0.25 * slopes);
 }
 
-TEST(Sea, ReflectanceIsBoundedAndGrowsWithScattering) {
-    SeaSettings s;
-    EXPECT_EQ(seaReflectance(s), glm::vec3(0));
-    s.backscattering = glm::vec3(1, 0.01f, 0);
-    s.absorption = glm::vec3(0, 0.09f, 1);
-    const glm::vec3 r = seaReflectance(s);
-    EXPECT_NEAR(r.x, 0.33f, 1e-6);
-    EXPECT_NEAR(r.y, 0.033f, 1e-6);
-    EXPECT_EQ(r.z, 0);
-}
-
 }  // namespace
 }  // namespace gp

@@ -168,9 +168,10 @@ TEST(WaterLight, OfAWhiteSky) {
     for (const float ior : {1.01f, 1.333f, 3.0f}) {
         const SeaSettings sea = seaOf(glm::vec3(0), glm::vec3(0.1f), ior);
         const WaterLight light = waterLight(sea, nullptr, 0, {nullptr, 0, glm::vec3(1)});
-        EXPECT_NEAR(light.radiance.y, 0.33f * ior * ior, 1e-5f * ior * ior);
+        const float share = seaReflectance(sea).y;
+        EXPECT_NEAR(light.radiance.y, share * ior * ior, 1e-5f * ior * ior);
         // The source of a ray is below that of the balance: no light is gained.
-        EXPECT_LE(0.33f * (1 + light.stretch), 1.0f) << ior;
+        EXPECT_LE(share * (1 + light.stretch), 1.0f) << ior;
         const std::vector<glm::vec3> rows(7, glm::vec3(0.5f));
         const WaterLight same = waterLight(sea, nullptr, 0, {rows.data(), 7, glm::vec3(2)});
         EXPECT_NEAR(same.radiance.y, light.radiance.y, 2e-4f * light.radiance.y);
@@ -198,8 +199,26 @@ TEST(WaterLight, OfASkyImage) {
         waterLight(sea, nullptr, 0, {table->rowMeans.data(), height, glm::vec3(1)});
     const double hi = std::cos(pi * 30 / height), lo = std::cos(pi * 31 / height);
     const double enters = 3 * pi * (hi * hi - lo * lo) * through((hi + lo) / 2, 1.333f);
-    const double expected = 0.165 * enters * 1.333 * 1.333 / (pi * meanThrough(1.333f));
+    const double out = meanThrough(1.333f) / (1.333 * 1.333);
+    const double share = 0.165 * out / (1 - 0.165 * (1 - out));
+    const double expected = share * enters * 1.333 * 1.333 / (pi * meanThrough(1.333f));
     EXPECT_NEAR(double(light.radiance.y), expected, 1e-3 * expected);
+}
+
+// Of the light below the surface 0.33 b / (a + b) goes up, and of that what the surface throws back
+// down counts again.
+TEST(WaterLight, ReflectanceIsBoundedAndGrowsWithScattering) {
+    SeaSettings s;
+    s.ior = 1.333f;
+    EXPECT_EQ(seaReflectance(s), glm::vec3(0));
+    s.backscattering = glm::vec3(1, 0.01f, 0);
+    s.absorption = glm::vec3(0, 0.09f, 1);
+    const double out = meanThrough(1.333f) / (1.333 * 1.333);
+    EXPECT_NEAR(out, 0.53, 0.005);
+    const glm::vec3 r = seaReflectance(s);
+    EXPECT_NEAR(double(r.x), 0.33 * out / (1 - 0.33 * (1 - out)), 1e-4);
+    EXPECT_NEAR(double(r.y), 0.033 * out / (1 - 0.033 * (1 - out)), 1e-5);
+    EXPECT_EQ(r.z, 0);
 }
 
 }  // namespace
