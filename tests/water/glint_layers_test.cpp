@@ -8,7 +8,7 @@
 #include "statistics/random.h"
 
 GP_SHADING_BEGIN
-#include "kernels/slope_sun.glsl"
+#include "shading/bsdf/glint_sun.glsl"
 GP_SHADING_END
 
 namespace gp::test {
