@@ -44,6 +44,7 @@ T converted(S v, bool fraction) {
 template <typename S, typename T>
 void convertElements(const std::byte* from, uint64_t stride, uint64_t count, uint64_t components,
                      bool fraction, T* out) {
+    if (count == 0) return;  // memcpy takes no null, not even for nothing
     if (std::is_same_v<S, T> && stride == components * sizeof(S)) {
         std::memcpy(out, from, count * stride);
         return;

@@ -71,6 +71,21 @@ TEST(GltfAccessor, StridesAndOffsets) {
     EXPECT_EQ(s.instances[0]->mesh->positions[2], glm::vec3(3, 9, 2));
 }
 
+// glTF 2.0 asks for one element at least; exporters write none for parts that they left out.
+TEST(GltfAccessor, NoElementsAreNoTriangles) {
+    GltfBuilder b;
+    b.addMesh(b.vec3s(corner));
+    const size_t none = b.vec3s(corner);
+    b.json["accessors"][none]["count"] = 0;
+    b.addMesh(none);
+    GltfBuilder indices = b;
+    EXPECT_EQ(load(b).instances.size(), 1u);
+    const size_t noIndex = indices.shorts({0, 1, 2});
+    indices.json["accessors"][noIndex]["count"] = 0;
+    indices.addMesh(indices.vec3s(corner))["indices"] = noIndex;
+    EXPECT_EQ(load(indices).instances.size(), 1u);
+}
+
 TEST(GltfAccessor, SparseWithAndWithoutBase) {
     for (const bool base : {true, false}) {
         GltfBuilder b;
