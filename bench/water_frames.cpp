@@ -46,6 +46,8 @@ constexpr std::array kVariants = {
     Variant{"no water", GP_GLINTS_ON, GP_MASKING_V_CAVITY, 0},
 };
 
+constexpr size_t kShown = 2;  // in the image
+
 // Looks so far down that the horizon leaves this share of the picture below it; all of it: 40
 // degrees down, where no ripple of the horizon is left.
 GpCameraDesc cameraOf(double share) {
@@ -66,7 +68,8 @@ public:
     explicit Water(const Settings& s) : s_(s) {
         const GpDeviceDesc d{GP_BACKEND_CPU, s.threads, nullptr, nullptr, nullptr};
         device_ = made<GpDevice>(nullptr, gpNewDevice(&d));
-        for (size_t i = 0; i < kVariants.size(); ++i) addScene(i);
+        for (size_t i = 0; i < kVariants.size(); ++i)
+            if (measured(i) || (i == kShown && !s.image.empty())) addScene(i);
         const GpFrameDesc frame{s.width, s.height, GP_MODE_LOCAL};
         frame_ = made(device_, gpNewFrame(device_, &frame));
     }
@@ -92,7 +95,7 @@ public:
     }
 
     void save() {
-        draw(2);
+        draw(kShown);
         check(device_, gpSaveFrame(frame_, s_.image.c_str(), nullptr));
     }
 

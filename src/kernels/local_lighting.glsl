@@ -105,12 +105,17 @@ LocalLight light_of(IN(ShadingPoint) p, IN(LocalView) at) {
     return sum;
 }
 
-// The material that the path met, as this mode shows it. Bumps of a map are between the corners of
-// triangles, and whatever model replaces a solid body's is lit on the side that the viewer sees,
-// along tangents that no roughness of the material turns.
-MaterialRecord local_material(IN(PathState) path) {
+// Whether materials are shown as what they are not (local_material).
+bool local_materials_differ() {
     LET_REF(LocalLightingConstants) local = load_local_lighting();
-    MaterialRecord shown = load_material(load_instance(path.hit.instance).material);
+    return local.frequency != FREQUENCY_PIXEL || local.replaces_materials != 0u;
+}
+
+// A material as this mode shows it. Bumps of a map are between the corners of triangles, and
+// whatever model replaces a solid body's is lit on the side that the viewer sees, along tangents
+// that no roughness of the material turns.
+MaterialRecord local_material(MaterialRecord shown) {
+    LET_REF(LocalLightingConstants) local = load_local_lighting();
     if (local.frequency != FREQUENCY_PIXEL) {
         shown.textures &= ~(SLOT_NORMAL | SLOT_COAT_NORMAL | SLOT_SLOPES);
     }
@@ -222,7 +227,7 @@ bool path_begin_light(INOUT(PathState) path, INOUT(ShadingPoint) seen, IN(LocalV
 // all sides as indirect light. Of pixels by themselves these are the sum of lamp_light over lamps,
 // and ambient_light; else it is this.
 void path_light_locally(INOUT(PathState) path) {
-    MaterialRecord m = local_material(path);
+    MaterialRecord m = local_material(load_material(load_instance(path.hit.instance).material));
     LocalLight light = load_local_lighting().frequency == FREQUENCY_VERTEX
                            ? interpolated_light(path, m)
                            : local_light_at(path, m, 1.0f / 3.0f, 1.0f / 3.0f);

@@ -35,17 +35,30 @@ SeaFootprint sea_footprint(IN(RayCone) cone, vec3 wo) {
     return f;
 }
 
+// All that a pixel has of the sea.
+struct SeaSeen {
+    SeaFootprint footprint;
+    SeaSlopes slopes;
+};
+
+SeaSeen sea_seen(IN(Surface) s, vec3 wo) {
+    SeaSeen seen;
+    seen.footprint = sea_footprint(s.cone, local_from_world(sea_frame(), wo));
+    seen.slopes = sample_sea(s.uv0, seen.footprint.d0, seen.footprint.d1);
+    return seen;
+}
+
 // Out of line, as all materials of the library. load_bsdf(m.bsdf) has the albedo of the water, of
-// what comes back from below, as its base colour.
-OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo) {
+// what comes back from below, as its base colour. seen: by sea_seen.
+OUT_OF_LINE ShadingPoint ocean_point_seen(IN(MaterialRecord) m, IN(Surface) s, vec3 wo,
+                                          IN(SeaSeen) seen) {
     ShadingPoint p;
     p.frame = sea_frame();
     p.emission = vec3(0.0f);
     p.attenuation = m.attenuation;
     p.flags = m.flags;
     vec3 wo_local = local_from_world(p.frame, wo);
-    SeaFootprint seen = sea_footprint(s.cone, wo_local);
-    SeaSlopes sea = sample_sea(s.uv0, seen.d0, seen.d1);
+    SeaSlopes sea = seen.slopes;
     // A long footprint may show a crest of waves whose mean slope is turned away from the viewer.
     vec2 mean = slope_mean_in_view(sea.mean, s.front != 0u ? wo_local : -wo_local);
     p.bsdf = load_bsdf(m.bsdf);
@@ -68,11 +81,15 @@ OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 w
     // Below deep water nothing is seen: what comes back from there is its albedo. Who is below it
     // sees out as through clear water.
     p.bsdf.slot_c.w = deep ? 1.0f : 0.0f;
-    p.bsdf.slot_d = vec4(seen.d0, seen.d1);
-    p.bsdf.slot_e = vec4(seen.k0, seen.k1);
+    p.bsdf.slot_d = vec4(seen.footprint.d0, seen.footprint.d1);
+    p.bsdf.slot_e = vec4(seen.footprint.k0, seen.footprint.k1);
     GlintBase base = glint_base_at(p.bsdf);
     GLINT_SET_BASE(p.bsdf, base)
     return p;
+}
+
+OUT_OF_LINE ShadingPoint ocean_point(IN(MaterialRecord) m, IN(Surface) s, vec3 wo) {
+    return ocean_point_seen(m, s, wo, sea_seen(s, wo));
 }
 
 #endif

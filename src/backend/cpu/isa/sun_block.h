@@ -1,9 +1,9 @@
-// The facets by which up to 64 points reflect a sun, found at once: their numbers lie apart, and
+// The facets by which up to 16 points reflect a sun, found at once: their numbers lie apart, and
 // all is inlined, so that the compiler makes vectors of the loop. Part of the hot code of local
 // lighting, included inside an unnamed namespace.
 
 struct SunBlock {
-    static constexpr uint32_t most = 64;
+    static constexpr uint32_t most = 16;
 
     uint32_t pixels[most];
     uint32_t count = 0;
