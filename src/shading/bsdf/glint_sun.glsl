@@ -89,17 +89,53 @@ SunFacets sun_facets(IN(Slopes) material, vec4 kernel, uint masking, vec3 wo_loc
     return s;
 }
 
-// f cos of a sun. Where slopes are narrower than the disc the highlight of smooth ones is its sharp
-// image, as that of a coat is; glints keep the Gaussian, as their cells are made for covariances.
+// Of the facets that are there: their density of slopes over that of glint_density, by which the
+// highlight of smooth ones is a disc's sharp image where they are narrower than it, as that of a
+// coat is. Glints keep the Gaussian, as their cells are made for covariances.
+float sun_shape(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLight) sun) {
+    if (glint_method(m) != GLINT_SMOOTH) { return 1.0f; }
+    return sun_disc_shape(glint_of(m).slopes, wo_local, wi_local, sqrt(sun_sin_squared(sun)));
+}
+
+float sun_facet_density(IN(BsdfParams) m, IN(SunFacets) s, vec3 wo_local, vec3 wi_local,
+                        IN(DirectionalLight) sun) {
+    GlintDensity p22 =
+        glint_density(glint_method(m), glint_of(m, s.kernel), s.facet.slope);
+    return p22.value * sun_shape(m, wo_local, wi_local, sun);
+}
+
+// f cos of a sun where no layer and no film lies over the facets: `facets` times their
+// sun_facet_density, and `matte`.
+struct SunShares {
+    vec3 facets;
+    vec3 matte;
+};
+
+bool has_sun_shares(IN(BsdfParams) m) {
+    return !has_layers(m) && m.iridescence <= 0.0f;
+}
+
+// Without branches, so that loops become vectors.
+SunShares sun_shares(IN(BsdfParams) m, IN(GlintFacet) facet, vec3 wo_local, vec3 wi_local) {
+    GlintView seen;
+    seen.g.slopes.mean = glint_mean(m);
+    seen.eta = relative_ior(m.ior, 1.0f);
+    seen.through = glint_through(m, mesosurface_cosine(seen.g.slopes.mean, wo_local));
+    float cos_t = glint_cos_behind(m, facet.cos_h, seen.eta);
+    SunShares shares;
+    shares.facets = glint_fresnel(m, facet.cos_h, cos_t, seen.eta).reflected * facet.f_cos;
+    shares.matte = glint_base_eval(m, seen, wi_local).f_cos;  // of no colour where there is none
+    return shares;
+}
+
+// f cos of a sun.
 vec3 sun_facets_f_cos(IN(BsdfParams) m, IN(SunFacets) s, vec3 wo_local, vec3 wi_local,
                       IN(DirectionalLight) sun) {
     float disc = sun.one_minus_cos_max;
     GlintView seen = glint_view(m, s.kernel, wo_local);
     seen.over.layers.disc = disc;
     vec3 f_cos = glint_facet_value(m, seen, s.facet, wi_local, true, false).f_cos;
-    if (glint_method(m) != GLINT_SMOOTH) { return f_cos; }
-    float shape =
-        sun_disc_shape(glint_of(m).slopes, wo_local, wi_local, sqrt(sun_sin_squared(sun)));
+    float shape = sun_shape(m, wo_local, wi_local, sun);
     if (shape == 1.0f) { return f_cos; }
     vec3 rest = slopes_part_without_facets(m, disc, wo_local, wi_local);
     return rest + (f_cos - rest) * shape;
