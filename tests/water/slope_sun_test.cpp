@@ -134,31 +134,56 @@ TEST(SlopeSun, OnlyWideSlopesHideTheDisc) {
     EXPECT_TRUE(hides(0.002f, 0));
 }
 
+// Of any kind: paint, metal and clear bodies, some under a coat, a sheen or a film.
+BsdfParams anyFacets(Random& random) {
+    const auto number = [&](float most) { return most * (2 * random.uniform() - 1); };
+    const auto seldom = [&] { return random.uniform() < 0.1f ? random.uniform() : 0.0f; };
+    BsdfParams m = facets(0.02f + 0.3f * random.uniform(), 1, GLINT_DICTIONARY,
+                          std::exp(2 + 14 * random.uniform()));
+    m.metallic = random.uniform() < 0.5f ? 0.0f : random.uniform();
+    m.transmission = random.uniform() < 0.5f ? 0.0f : random.uniform();
+    m.thin = random.uniform() < 0.5f ? 0 : 1;
+    m.specular = random.uniform(), m.ior = 1 + random.uniform();
+    m.specular_color = vec3(random.uniform(), 1, random.uniform());
+    m.coat = seldom(), m.sheen_color = vec3(seldom()), m.iridescence = seldom();
+    m.slot_a.x = number(0.3f), m.slot_a.y = number(0.3f), m.slot_a.z = number(0.8f);
+    if (random.uniform() < 0.5f) m.slot_b.x = std::floor(4 * random.uniform());  // the method
+    m.slot_b.y = random.uniform() < 0.5f ? 1.0f : random.uniform();
+    m.slot_b.z = random.uniform();
+    m.slot_c = vec4(number(100), number(100), std::floor(10 * random.uniform()), random.uniform());
+    m.slot_d = vec4(number(0.02f), number(0.02f), number(0.02f), number(0.02f));
+    m.slot_e = vec4(number(0.02f), number(0.02f), number(0.02f), number(0.02f));
+    return bsdf_prepared(m);
+}
+
 template <uint32_t masking>
 void expectBlockIsEach() {
     Random random(7 + masking);
     const auto number = [&](float most) { return most * (2 * random.uniform() - 1); };
     const DirectionalLight sun = sunAt(up, 0.02f);
-    const float sinRadius = sqrt(sun_sin_squared(sun));
-    for (int round = 0; round < 40; ++round) {
+    int seen = 0, layered = 0;
+    for (int round = 0; round < 500; ++round) {
         SunBlock block;
         std::vector<BsdfParams> materials;
-        const auto count = uint32_t(1 + random.uniform() * 63.9f);
+        const auto count = uint32_t(1 + random.uniform() * (float(SunBlock::most) - 0.1f));
         while (block.count < count) {
-            BsdfParams m = facets(0.02f + 0.3f * random.uniform(), 1, GLINT_DICTIONARY);
-            m.slot_a.x = number(0.3f), m.slot_a.y = number(0.3f), m.slot_a.z = number(0.8f);
-            m.slot_e = vec4(number(0.02f), number(0.02f), number(0.02f), number(0.02f));
+            BsdfParams m = anyFacets(random);
+            m.slot_b.w = float(masking);
+            // Near the mirror direction of the mean slope, mostly.
+            const vec3 n = normalize(mesosurface_normal(glint_mean(m)));
             const vec3 wo = normalize(vec3(number(1), number(1), 0.2f + random.uniform()));
-            const vec3 wi = normalize(vec3(number(1), number(1), 0.2f + random.uniform()));
+            const vec3 off = vec3(number(0.3f), number(0.3f), number(0.3f));
+            const vec3 wi = normalize(2.0f * dot(wo, n) * n - wo + off);
             if (!reflects_sun(m, wo, wi, sun)) continue;
             block.add(block.count, m, wo, wi);
             materials.push_back(m);
         }
-        findFacets<masking>(block, sinRadius);
+        findSun<masking>(block, sun);
         for (uint32_t i = 0; i < count; ++i) {
             const BsdfParams& m = materials[i];
-            const SunFacets each = sun_facets(glint_material_slopes(m), m.slot_e, masking,
-                                              block.wo(i), block.wi(i), sinRadius);
+            const SunFacets each =
+                sun_facets(glint_material_slopes(m), m.slot_e, masking, block.wo(i), block.wi(i),
+                           sqrt(sun_sin_squared(sun)));
             const SunFacets found = block.facets(i);
             for (int k = 0; k < 4; ++k) EXPECT_NEAR(found.kernel[k], each.kernel[k], 1e-5f);
             EXPECT_NEAR(found.facet.slope.x, each.facet.slope.x, 1e-5f);
@@ -166,8 +191,16 @@ void expectBlockIsEach() {
             EXPECT_NEAR(found.facet.f_cos, each.facet.f_cos, 1e-4f * each.facet.f_cos);
             EXPECT_NEAR(found.facet.pdf, each.facet.pdf, 1e-4f * each.facet.pdf);
             EXPECT_NEAR(found.facet.cos_h, each.facet.cos_h, 1e-5f);
+            const vec3 fCos = blockFCos(block, i, m, sun);
+            const vec3 wanted = sun_f_cos(m, block.wo(i), block.wi(i), sun);
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(fCos[c], wanted[c], 1e-6f + 2e-4f * wanted[c])
+                    << "round " << round << " point " << i << " method " << glint_method(m);
+            seen += wanted.x > 1e-3f, layered += !has_sun_shares(m);
         }
     }
+    EXPECT_GT(seen, 1000);
+    EXPECT_GT(layered, 100);
 }
 
 TEST(SlopeSun, BlocksOfPointsFindTheFacetsOfEach) {

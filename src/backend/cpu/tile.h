@@ -103,12 +103,24 @@ inline void beginSample(Kernels& k, const TileJob& job, const CameraParams& came
     for (uint32_t i = 0; i < count; ++i) t.paths[i].hit = t.hits[i];
 }
 
+inline PixelSums& sumsOf(const TileJob& job, const TilePixels& t, uint32_t i) {
+    return job.sums[size_t(t.y[i]) * job.frame->width + t.x[i]];
+}
+
+// What endSample will add to, on its way to the cache while paths are traced.
+inline void expectSums(const TileJob& job, const TilePixels& t, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const char* bytes = reinterpret_cast<const char*>(&sumsOf(job, t, i));
+        __builtin_prefetch(bytes, 1), __builtin_prefetch(bytes + sizeof(PixelSums) - 1, 1);
+    }
+}
+
 inline void endSample(const TileJob& job, const CameraParams& camera, TilePixels& t,
                       uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         PathState& path = t.paths[i];
         path.guides.depth *= dot(t.rays[i].direction, camera.forward);
-        addSample(job.sums[size_t(t.y[i]) * job.frame->width + t.x[i]], path);
+        addSample(sumsOf(job, t, i), path);
     }
 }
 
@@ -128,6 +140,7 @@ TileCounts renderTile(AnyKernels& k, const TileJob& job, const Finish& finish) {
     for (uint32_t s = held > job.firstSample ? held - job.firstSample : 0; s < job.sampleCount;
          ++s) {
         beginSample(k, job, camera, t, count, job.firstSample + s);
+        expectSums(job, t, count);
         finish(t, count);
         endSample(job, camera, t, count);
     }

@@ -64,7 +64,7 @@ Glint glint_of(IN(BsdfParams) m, vec4 kernel) {
     g.uv = vec2(m.slot_c.x, m.slot_c.y);
     g.d0 = vec2(m.slot_d.x, m.slot_d.y);
     g.d1 = vec2(m.slot_d.z, m.slot_d.w);
-    g.log_density = log(max(glint_facet_density(m), 1.0e-20f));
+    g.log_density = LN_TWO * log2_above_0(max(glint_facet_density(m), 1.0e-20f));
     g.area = glint_area(m);
     g.jitter = glint_jitter(m);
     g.dictionary = m.table;

@@ -99,9 +99,13 @@ float sun_shape(IN(BsdfParams) m, vec3 wo_local, vec3 wi_local, IN(DirectionalLi
 
 float sun_facet_density(IN(BsdfParams) m, IN(SunFacets) s, vec3 wo_local, vec3 wi_local,
                         IN(DirectionalLight) sun) {
-    GlintDensity p22 =
-        glint_density(glint_method(m), glint_of(m, s.kernel), s.facet.slope);
+    GlintDensity p22 = glint_density(glint_method(m), glint_of(m, s.kernel), s.facet.slope);
     return p22.value * sun_shape(m, wo_local, wi_local, sun);
+}
+
+// How the facets that stand in the dictionary are found.
+IN_LOOPS GlintLookup sun_lookup(IN(BsdfParams) m, IN(SunFacets) s) {
+    return glint_lookup(glint_of(m, s.kernel), s.facet.slope);
 }
 
 // f cos of a sun where no layer and no film lies over the facets: `facets` times their

@@ -50,9 +50,14 @@ GlintPyramid glint_pyramid(IN(Glint) g) {
     p.log4_area = 0.5f * log2_above_0(max(p.area, GLINT_LEAST_AREA));
     // As many facets in every cell as the last level stands for, or numbers that are none.
     float fewest = p.facets + p.level - 0.5f * p.spread + p.log4_area;
-    bool places = abs(g.uv.x) < 1.0e30f && abs(g.uv.y) < 1.0e30f && p.footprint.minor2 < 1.0e30f;
-    p.smooth_only = !(places && fewest < float(GLINT_LEVELS) && g.log_density == g.log_density)
-                 || p.area < GLINT_LEAST_AREA || !table_exists(g.dictionary);
+    fewest += 0.0f * g.log_density;  // not a number where the density is none
+    // Reasons are counted: of conditions that stand together compilers make branches.
+    float reasons = fewest < float(GLINT_LEVELS) ? 0.0f : 1.0f;
+    reasons += p.area >= GLINT_LEAST_AREA ? 0.0f : 1.0f;
+    reasons += abs(g.uv.x) + abs(g.uv.y) < 1.0e30f ? 0.0f : 1.0f;
+    reasons += p.footprint.minor2 < 1.0e30f ? 0.0f : 1.0f;
+    reasons += table_exists(g.dictionary) ? 0.0f : 1.0f;
+    p.smooth_only = reasons > 0.0f;
     return p;
 }
 
@@ -237,21 +242,49 @@ GlintQuery glint_query(IN(Glint) g, IN(Slopes) d, IN(Whitening) w, vec2 s) {
     return q;
 }
 
+// So far from the mean no cell has facets, whichever way it is turned.
+bool glint_within_reach(IN(GlintQuery) q) {
+    return dot(q.slope, q.slope) < 2.0f * GLINT_REACH * GLINT_REACH;
+}
+
+// Where no cells are read: out there lies a 10^-7 of the Gaussian, and stays.
+float glint_without_cells(IN(GlintQuery) q) {
+    return dot(q.slope, q.slope) < 1.0e30f ? q.gaussian : 0.0f;
+}
+
 // Density of slopes (not centred) over the footprint, per horizontal area. Finite and >= 0 whatever
 // the input; 0 for slopes that are not finite.
 float glint_p22(IN(Glint) g, vec2 s) {
     Slopes d = glint_slopes_within(g);
     GlintQuery q = glint_query(g, d, whitening_of(d), s);
-    // So far from the mean no cell has facets, whichever way it is turned; a 10^-7 of the Gaussian
-    // lies there, and stays.
-    if (!(dot(q.slope, q.slope) < 2.0f * GLINT_REACH * GLINT_REACH)) {
-        return dot(q.slope, q.slope) < 1.0e30f ? q.gaussian : 0.0f;
-    }
+    if (!glint_within_reach(q)) { return glint_without_cells(q); }
     GlintPyramid p = glint_pyramid(g);
-    if (p.smooth_only) {
-        return q.gaussian;
-    }
+    if (p.smooth_only) { return glint_without_cells(q); }
     return glint_mean_of_cells(q, glint_steps(p, g.uv, g.seed));
+}
+
+// The same for many points: all that goes before the cells are read.
+struct GlintLookup {
+    GlintQuery query;
+    GlintSteps steps;
+    float alone;  // where no cells are read; else below 0
+};
+
+// Without branches, so that loops become vectors.
+IN_LOOPS GlintLookup glint_lookup(IN(Glint) g, vec2 s) {
+    Slopes d = glint_slopes_within(g);
+    GlintPyramid p = glint_pyramid(g);
+    GlintLookup l;
+    l.query = glint_query(g, d, whitening_of(d), s);
+    l.steps = glint_steps(p, g.uv, g.seed);
+    float whole = glint_without_cells(l.query);
+    l.alone = glint_within_reach(l.query) ? -1.0f : whole;
+    l.alone = p.smooth_only ? whole : l.alone;
+    return l;
+}
+
+float glint_looked_up(IN(GlintLookup) l) {
+    return l.alone >= 0.0f ? l.alone : glint_mean_of_cells(l.query, l.steps);
 }
 
 // The cell of an ellipse that a uniform number falls into, by their weights; and the number again,

@@ -6,6 +6,7 @@
 #ifndef GP_SHADING_SLOPE_SLOPES_GLSL
 #define GP_SHADING_SLOPE_SLOPES_GLSL
 #include "shading/constants.glsl"
+#include "shading/powers.glsl"
 #include "shading/microfacet/beckmann.glsl"
 
 // Gaussian slopes about a mean: Beckmann's distribution, sheared.
@@ -36,7 +37,8 @@ float slopes_p22(IN(Slopes) d, vec2 s) {
     vec2 c = s - d.mean;
     float det = d.var_x * d.var_y - d.cov * d.cov;
     float e = (c.x * c.x * d.var_y - 2.0f * c.x * c.y * d.cov + c.y * c.y * d.var_x) / det;
-    return e < 160.0f ? exp(-0.5f * e) * (0.5f * INV_PI) * inversesqrt(det) : 0.0f;
+    float height = (0.5f * INV_PI) * inversesqrt(det);
+    return e < 160.0f ? exp2_within_126(-0.5f / LN_TWO * e) * height : 0.0f;
 }
 
 // Two numbers of the normal distribution.

@@ -5,9 +5,17 @@
 struct SunBlock {
     static constexpr uint32_t most = 16;
     typedef float Numbers[most];
+    // One of the two levels of a GlintLookup, with its ellipse.
+    struct Level {
+        uint32_t shift[most];
+        Numbers facets, occupied, share;
+        Numbers x, y, skew, width2, inverseWidth2, inverseHeight2;
+        int first[most], last[most];
+    };
 
     uint32_t pixels[most];
     uint32_t count = 0;
+    bool hasDictionary = false;  // of glints, any of them
     // Also where there is no point: view and light, the material's slopes, its kernel.
     Numbers woX{}, woY{}, woZ{}, wiX{}, wiY{}, wiZ{};
     Numbers meanX{}, meanY{}, varX{}, varY{}, cov{};
@@ -16,21 +24,30 @@ struct SunBlock {
     Numbers base[3]{}, specularColor[3]{}, specular{}, metallic{}, transmission{}, ior{}, lost{};
     Numbers reflected[12]{}, through{};
     uint32_t thin[most]{};
+    // Its glints.
+    Numbers density{}, area{}, jitter{}, seed{}, alphaX{}, alphaY{}, correlation{};
+    Numbers u{}, v{}, sides[4]{};
+    uint32_t tableLow[most]{}, tableHigh[most]{};
     // Of the facets.
     Numbers wider[4];
     Numbers slopeX, slopeY, fCos, pdf, cosH;
     Numbers facetShare[3], matteShare[3];
+    Numbers whiteX, whiteY, kernel0X, kernel0Y, kernel1X, kernel1Y, scale, gaussian;
+    Level low, high;
+    Numbers highShare, spread, alone;
 
     void add(uint32_t pixel, const BsdfParams& m, vec3 wo, vec3 wi) {
         const Slopes d = glint_material_slopes(m);
         const uint32_t i = count++;
         pixels[i] = pixel;
+        hasDictionary |= glint_method(m) == GLINT_DICTIONARY;
         woX[i] = wo.x, woY[i] = wo.y, woZ[i] = wo.z;
         wiX[i] = wi.x, wiY[i] = wi.y, wiZ[i] = wi.z;
         meanX[i] = d.mean.x, meanY[i] = d.mean.y;
         varX[i] = d.var_x, varY[i] = d.var_y, cov[i] = d.cov;
         for (int k = 0; k < 4; ++k) {
             kernel[k][i] = m.slot_e[k];
+            sides[k][i] = m.slot_d[k];
             reflected[k][i] = m.slot_g[k];
             reflected[4 + k][i] = m.slot_h[k];
             reflected[8 + k][i] = m.slot_i[k];
@@ -41,6 +58,10 @@ struct SunBlock {
         }
         specular[i] = m.specular, metallic[i] = m.metallic, transmission[i] = m.transmission;
         ior[i] = m.ior, lost[i] = m.slot_c.w, through[i] = m.slot_j.x, thin[i] = m.thin;
+        density[i] = m.slot_a.w, area[i] = m.slot_b.y, jitter[i] = m.slot_b.z;
+        seed[i] = m.slot_c.z, u[i] = m.slot_c.x, v[i] = m.slot_c.y;
+        alphaX[i] = m.alpha_x, alphaY[i] = m.alpha_y, correlation[i] = m.slot_a.z;
+        tableLow[i] = m.table.x, tableHigh[i] = m.table.y;
     }
 
     vec3 wo(uint32_t i) const { return {woX[i], woY[i], woZ[i]}; }
@@ -69,6 +90,53 @@ struct SunBlock {
         m.slot_g = four(0), m.slot_h = four(4), m.slot_i = four(8);
         m.slot_j = vec4(through[i], 0.0f, 0.0f, 0.0f);
         return m;
+    }
+
+    // What sun_lookup asks of it.
+    BsdfParams glints(uint32_t i) const {
+        BsdfParams m;
+        m.alpha_x = alphaX[i], m.alpha_y = alphaY[i];
+        m.slot_a = vec4(meanX[i], meanY[i], correlation[i], density[i]);
+        m.slot_b = vec4(0.0f, area[i], jitter[i], 0.0f);
+        m.slot_c = vec4(u[i], v[i], seed[i], 0.0f);
+        m.slot_d = vec4(sides[0][i], sides[1][i], sides[2][i], sides[3][i]);
+        m.table = uvec2(tableLow[i], tableHigh[i]);
+        return m;
+    }
+
+    void setLevel(Level& n, uint32_t i, const GlintLevel& l, const Ellipse& e) {
+        n.shift[i] = l.shift;
+        n.facets[i] = l.facets, n.occupied[i] = l.occupied, n.share[i] = l.share;
+        n.x[i] = e.centre.x, n.y[i] = e.centre.y, n.skew[i] = e.skew;
+        n.width2[i] = e.width2, n.inverseWidth2[i] = e.inv_width2;
+        n.inverseHeight2[i] = e.inv_height2;
+        n.first[i] = e.first, n.last[i] = e.last;
+    }
+    void setLookup(uint32_t i, const GlintLookup& l) {
+        const GlintQuery& q = l.query;
+        whiteX[i] = q.slope.x, whiteY[i] = q.slope.y;
+        kernel0X[i] = q.k0.x, kernel0Y[i] = q.k0.y, kernel1X[i] = q.k1.x, kernel1Y[i] = q.k1.y;
+        scale[i] = q.scale, gaussian[i] = q.gaussian;
+        setLevel(low, i, l.steps.low, l.steps.low_cells);
+        setLevel(high, i, l.steps.high, l.steps.high_cells);
+        highShare[i] = l.steps.share, spread[i] = l.steps.low.spread, alone[i] = l.alone;
+    }
+
+    GlintLevel level(const Level& n, uint32_t i) const {
+        return {n.shift[i], n.facets[i], spread[i], n.occupied[i], n.share[i], uint(seed[i])};
+    }
+    static Ellipse cells(const Level& n, uint32_t i) {
+        return {vec2(n.x[i], n.y[i]), n.skew[i], n.width2[i], n.inverseWidth2[i],
+                n.inverseHeight2[i], n.first[i], n.last[i]};
+    }
+    GlintLookup lookup(uint32_t i) const {
+        GlintLookup l;
+        l.query = {uvec2(tableLow[i], tableHigh[i]), vec2(whiteX[i], whiteY[i]),
+                   vec2(kernel0X[i], kernel0Y[i]), vec2(kernel1X[i], kernel1Y[i]), scale[i],
+                   gaussian[i]};
+        l.steps = {level(low, i), level(high, i), cells(low, i), cells(high, i), highShare[i]};
+        l.alone = alone[i];
+        return l;
     }
 
     SunShares shares(uint32_t i) const {
@@ -102,4 +170,31 @@ template <uint masking>
             b.matteShare[k][i] = s.matte[k];
         }
     }
+}
+
+// How the facets found are looked up in the dictionary, of those that have it.
+[[gnu::flatten]] inline void findLookups(SunBlock& b) {
+    if (!b.hasDictionary) return;
+    for (uint32_t i = 0; i < SunBlock::most; ++i)
+        b.setLookup(i, sun_lookup(b.glints(i), b.facets(i)));
+}
+
+// f cos of point i, whose material m is: as sun_facets_f_cos.
+inline vec3 blockFCos(const SunBlock& b, uint32_t i, const BsdfParams& m,
+                      const DirectionalLight& sun) {
+    const vec3 wo = b.wo(i), wi = b.wi(i);
+    if (!has_sun_shares(m)) return sun_facets_f_cos(m, b.facets(i), wo, wi, sun);
+    const SunShares shares = b.shares(i);
+    const float density = glint_method(m) == GLINT_DICTIONARY
+                              ? glint_looked_up(b.lookup(i))
+                              : sun_facet_density(m, b.facets(i), wo, wi, sun);
+    return shares.matte + shares.facets * density;
+}
+
+// All of that; masking: a GLINT_MASKING_, of all points.
+template <uint masking>
+void findSun(SunBlock& b, const DirectionalLight& sun) {
+    findFacets<masking>(b, std::sqrt(sun_sin_squared(sun)));
+    findShares(b);
+    findLookups(b);
 }
