@@ -211,14 +211,17 @@ ShadingPoint path_local_point(IN(PathState) path, IN(MaterialRecord) material, I
     return load_shading_point(material, s, at.wo, u_lod, load_frame().diffuse_shading != 0u);
 }
 
-// ... then what is seen of it whatever light there is. Whether there is light to be added.
+// ... then what is seen of it whatever light there is. Whether there is light to be added; the
+// albedo then still has to be: it is guide_albedo.
 bool path_begin_light(INOUT(PathState) path, INOUT(ShadingPoint) seen, IN(LocalView) at) {
-    path.guides = guides_of(seen, path.hit, at.wo);
+    path.guides = guides_but_albedo(seen, path.hit);
     path_end(path, own_light(path, seen));
-    if ((seen.flags & MATERIAL_UNLIT) != 0u) { return false; }
+    if ((seen.flags & MATERIAL_UNLIT) != 0u) {
+        path.guides.albedo = guide_albedo(seen, at.wo);
+        return false;
+    }
     if (load_local_lighting().replaces_materials != 0u) {
         seen.bsdf = lighting_model(seen.bsdf.base_color);
-        path.guides.albedo = bsdf_albedo(seen.bsdf, abs(dot(seen.frame.n, at.wo)));
     }
     return true;
 }

@@ -92,16 +92,26 @@ float found_light_weight(IN(PathVertex) from, uint index, vec3 direction, float 
                                light_pdf(record, from.position, direction * t));
 }
 
-PathGuides guides_of(IN(ShadingPoint) p, IN(Hit) hit, vec3 wo) {
+vec3 guide_albedo(IN(ShadingPoint) p, vec3 wo) {
+    if ((p.flags & MATERIAL_UNLIT) != 0u) { return p.bsdf.base_color; }
+    return bsdf_albedo(p.bsdf, abs(dot(shown_normal(p), wo)));
+}
+
+PathGuides guides_but_albedo(IN(ShadingPoint) p, IN(Hit) hit) {
     PathGuides g;
     g.coverage = 1.0f;
     g.depth = hit.t;
     g.instance = hit.instance + 1u;
     g.normal = shown_normal(p);
-    g.albedo = (p.flags & MATERIAL_UNLIT) != 0u ? p.bsdf.base_color
-                                                : bsdf_albedo(p.bsdf, abs(dot(g.normal, wo)));
+    g.albedo = vec3(0.0f);
     g.roughness = sqrt(p.bsdf.alpha_y);
     g.metallic = p.bsdf.metallic;
+    return g;
+}
+
+PathGuides guides_of(IN(ShadingPoint) p, IN(Hit) hit, vec3 wo) {
+    PathGuides g = guides_but_albedo(p, hit);
+    g.albedo = guide_albedo(p, wo);
     return g;
 }
 

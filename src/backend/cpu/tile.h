@@ -91,13 +91,16 @@ inline void beginSample(Kernels& k, const TileJob& job, const CameraParams& came
                         uint32_t count, uint32_t sample) {
     const RayCone cone = camera_ray_cone(camera, float(job.frame->height));
     offsets(k, job, t, sample);
+    Sampler draws[maxTilePixels];
     for (uint32_t i = 0; i < count; ++i) {
-        Sampler draws{t.hashes[i], sample, 0};
+        draws[i] = Sampler{t.hashes[i], sample, 0};
         t.rays[i] = k.camera_ray_of_pixel(camera, uvec2(t.x[i], t.y[i]),
-                                          vec2(t.offsetsX[i], t.offsetsY[i]), draws);
-        // In its place: a copy would wait until all its parts have been written one by one.
-        new (&t.paths[i]) PathState(k.path_begin(t.rays[i], cone, draws));
-        t.alphaSeeds[i] = hash_u32(draws.pixel_hash + sample * 0x9E3779B9u);
+                                          vec2(t.offsetsX[i], t.offsetsY[i]), draws[i]);
+    }
+    // A loop of its own, and in their place: copies wait until all parts have been written.
+    for (uint32_t i = 0; i < count; ++i) {
+        new (&t.paths[i]) PathState(k.path_begin(t.rays[i], cone, draws[i]));
+        t.alphaSeeds[i] = hash_u32(draws[i].pixel_hash + sample * 0x9E3779B9u);
     }
     k.trace_camera(t.rays, t.alphaSeeds, t.hits, count);
     for (uint32_t i = 0; i < count; ++i) t.paths[i].hit = t.hits[i];

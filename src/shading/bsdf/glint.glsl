@@ -268,17 +268,10 @@ BsdfSample glint_bsdf_sample(IN(BsdfParams) m, vec3 wo, float u_lobe, vec2 u) {
     return bsdf_sample_of(view.turned ? glint_turned(m, i) : i, v, lobe);
 }
 
-// As if the surface were smooth, but for its matte base and what one scattering loses of metals.
-vec3 glint_bsdf_albedo(IN(BsdfParams) m, float cos_o) {
-    if (cos_o == 0.0f || (cos_o < 0.0f && gltf_transmissive_share(m) <= 0.0f)) {
-        return vec3(0.0f);
-    }
-    if (cos_o < 0.0f && m.thin == 0u) {
-        float eta = relative_ior(m.ior, cos_o);
-        GltfFresnel f = glint_fresnel(m, -cos_o, fresnel_g(-cos_o, eta) / eta, eta);
-        return f.reflected + f.transmitted;
-    }
-    float c = abs(cos_o);
+// As if the surface were smooth, but for its matte base and what one scattering loses of metals:
+// from before it, c above 0, without layers. Without a film, no branches, so that loops become
+// vectors.
+vec3 glint_front_albedo(IN(BsdfParams) m, float c) {
     float kept = 1.0f - 0.34f * mean_alpha(m);
     vec3 metal = kept * gltf_metal_fresnel(m, c);
     bool film = m.iridescence > 0.0f;
@@ -289,7 +282,20 @@ vec3 glint_bsdf_albedo(IN(BsdfParams) m, float cos_o) {
     vec3 mirrored = film ? mix(vec3(f), gltf_film(m, gltf_dielectric_f0(m), c), m.iridescence)
                          : vec3(f);
     vec3 clear = mirrored + m.base_color * (1.0f - max_component(mirrored));
-    vec3 albedo = mix(mix(opaque, clear, m.transmission), metal, m.metallic);
+    return mix(mix(opaque, clear, m.transmission), metal, m.metallic);
+}
+
+vec3 glint_bsdf_albedo(IN(BsdfParams) m, float cos_o) {
+    if (cos_o == 0.0f || (cos_o < 0.0f && gltf_transmissive_share(m) <= 0.0f)) {
+        return vec3(0.0f);
+    }
+    if (cos_o < 0.0f && m.thin == 0u) {
+        float eta = relative_ior(m.ior, cos_o);
+        GltfFresnel f = glint_fresnel(m, -cos_o, fresnel_g(-cos_o, eta) / eta, eta);
+        return f.reflected + f.transmitted;
+    }
+    float c = abs(cos_o);
+    vec3 albedo = glint_front_albedo(m, c);
     vec3 w = vec3(sqrt(max(1.0f - c * c, 0.0f)), 0.0f, c);
     return has_layers(m) ? albedo_under_layers(m, w, albedo) : albedo;
 }
